@@ -1,0 +1,17 @@
+# cmake --install: the program, the library with a package config, the examples. (The plugin installs itself.)
+include(CMakePackageConfigHelpers)
+
+get_property(rooms GLOBAL PROPERTY NANOCARBON_ROOMS)
+install(TARGETS ${rooms} EXPORT nanocarbonTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT nanocarbonTargets NAMESPACE nanocarbon:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/nanocarbon)
+install(DIRECTORY preprocessor/nanocarbon DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(FILES ${PROJECT_BINARY_DIR}/generated/nanocarbon/core/version.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nanocarbon/core)
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/nanocarbon/examples)
+
+configure_package_config_file(cmake/nanocarbonConfig.cmake.in ${PROJECT_BINARY_DIR}/nanocarbonConfig.cmake
+                              INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/nanocarbon)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/nanocarbonConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/nanocarbonConfig.cmake ${PROJECT_BINARY_DIR}/nanocarbonConfigVersion.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/nanocarbon)

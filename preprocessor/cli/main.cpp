@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/core/version.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("Carbon molecules from triangle meshes, ready for LAMMPS.", "nanocarbon");
+  app.set_version_flag("--version", std::string("nanocarbon ") + nanocarbon::version);
+  app.require_subcommand(1);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(nanocarbon::Failure::usage);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const nanocarbon::UserError& error) {
+    fmt::print(stderr, "nanocarbon: error: {}\n", error.what());
+    return static_cast<int>(error.failure());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "nanocarbon: internal error: {} (please report this)\n", error.what());
+    return 70;
+  }
+}
