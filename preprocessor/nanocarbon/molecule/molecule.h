@@ -23,7 +23,8 @@ struct Bond {
   friend auto operator<=>(const Bond&, const Bond&) = default;
 };
 
-//! Rings (faces of the bond graph on its surface) as atom cycles, counter-clockwise seen from outside, in compressed rows.
+//! Rings (faces of the bond graph on its surface) as atom cycles, counter-clockwise seen from outside, in
+//! compressed rows.
 struct Rings {
   std::vector<std::uint32_t> offsets = {0};  //!< size rings + 1
   std::vector<AtomIndex> atoms;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+
+#include "nanocarbon/molecule/molecule.h"
+
+namespace nanocarbon {
+
+//! \brief Writes extended XYZ, as ASE and OVITO read it: species and positions, with Lattice and pbc.
+//! \details A molecule without cell has no Lattice and pbc="F F F". Bonds and rings are not part of the
+//! format. Numbers are the shortest text that reads back exactly. \param generator kept as the comment line's
+//! `generator` key when not empty (command and version)
+void write_xyz(std::ostream& out, const Molecule& molecule, const std::string& generator = {});
+
+//! The same, whole or not at all, to a file.
+void write_xyz(const std::filesystem::path& path, const Molecule& molecule,
+               const std::string& generator = {});
+
+}  // namespace nanocarbon

@@ -1,0 +1,48 @@
+#include <string_view>
+
+#include "nanocarbon/core/output_file.h"
+#include "nanocarbon/molecule/text_output.h"
+#include "nanocarbon/molecule/xyz.h"
+
+namespace nanocarbon {
+namespace {
+
+std::string_view flag(bool periodic) { return periodic ? "T" : "F"; }
+
+// Quotes and line ends cannot be part of a quoted value that every reader understands.
+std::string as_value(std::string text) {
+  for (char& c : text)
+    if (c == '"' || c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+}  // namespace
+
+void write_xyz(std::ostream& out, const Molecule& molecule, const std::string& generator) {
+  TextOutput text(out);
+  text.print("{}\n", molecule.size());
+  std::array<bool, 3> periodic = {false, false, false};
+  if (molecule.cell) {
+    periodic = molecule.cell->periodic;
+    const Mat3& m = molecule.cell->vectors;
+    text.print("Lattice=\"{} {} {} {} {} {} {} {} {}\" ", m(0, 0), m(1, 0), m(2, 0), m(0, 1), m(1, 1),
+               m(2, 1), m(0, 2), m(1, 2), m(2, 2));
+    const Vec3& o = molecule.cell->origin;
+    if (!o.isZero(0.0)) text.print("Origin=\"{} {} {}\" ", o[0], o[1], o[2]);
+  }
+  text.print("Properties=species:S:1:pos:R:3 pbc=\"{} {} {}\"", flag(periodic[0]), flag(periodic[1]),
+             flag(periodic[2]));
+  if (!generator.empty()) text.print(" generator=\"{}\"", as_value(generator));
+  text.print("\n");
+  for (std::size_t i = 0; i < molecule.size(); ++i) {
+    const Vec3& p = molecule.positions[i];
+    text.print("{} {} {} {}\n", symbol(molecule.elements[i]), p[0], p[1], p[2]);
+  }
+  text.flush();
+}
+
+void write_xyz(const std::filesystem::path& path, const Molecule& molecule, const std::string& generator) {
+  write_file(path, [&](std::ostream& out) { write_xyz(out, molecule, generator); });
+}
+
+}  // namespace nanocarbon
