@@ -13,6 +13,8 @@ int run(int argc, char** argv) {
   CLI::App app("Carbon molecules from triangle meshes, ready for LAMMPS.", "nanocarbon");
   app.set_version_flag("--version", std::string("nanocarbon ") + nanocarbon::version);
   app.require_subcommand(1);
+  app.footer("Each subcommand has its own --help. Exit codes: README.md.");
+  // Each subcommand's file registers itself here; its work is done by the callback that parse() runs.
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -75,9 +75,7 @@ TEST(NeighboursWithin, FarAwayAtomsCostNothing) {
   EXPECT_TRUE(list.of(1000).empty());
 }
 
-TEST(NeighboursWithin, NoAtomsGiveAnEmptyList) {
-  EXPECT_EQ(neighbours_within({}, nullptr, 2.0).atoms(), 0u);
-}
+TEST(NeighboursWithin, NoAtomsGiveAnEmptyList) { EXPECT_EQ(neighbours_within({}, nullptr, 2.0).atoms(), 0u); }
 
 }  // namespace
 }  // namespace nanocarbon

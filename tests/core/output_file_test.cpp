@@ -64,7 +64,8 @@ TEST_F(OutputFile, AMissingFolderIsTheUsersError) {
 
 TEST_F(OutputFile, AFullDeviceIsTheUsersError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
-  EXPECT_THROW(write_file("/dev/full", [](std::ostream& out) { out << std::string(100000, 'x'); }), UserError);
+  EXPECT_THROW(write_file("/dev/full", [](std::ostream& out) { out << std::string(100000, 'x'); }),
+               UserError);
 }
 
 TEST_F(OutputFile, ADirectoryIsTheUsersError) {

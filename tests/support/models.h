@@ -16,6 +16,6 @@ inline std::filesystem::path models_folder() {
 }  // namespace nanocarbon::test
 
 //! Skips the test, saying so, where no folder of real meshes was named.
-#define NANOCARBON_NEEDS_MODELS()                                                       \
-  if (nanocarbon::test::models_folder().empty())                                        \
+#define NANOCARBON_NEEDS_MODELS()                \
+  if (nanocarbon::test::models_folder().empty()) \
   GTEST_SKIP() << "set NANOCARBON_MODELS to a folder of meshes to run this test"

@@ -13,7 +13,8 @@ struct Cell {
   std::array<bool, 3> periodic = {true, true, true};
 };
 
-//! An orthogonal cell with edges of the given lengths (Angstrom) along x, y and z and its corner at the origin.
+//! An orthogonal cell with edges of the given lengths (Angstrom) along x, y and z and its corner at the
+//! origin.
 Cell orthogonal_cell(const Vec3& lengths, std::array<bool, 3> periodic = {true, true, true});
 
 //! Distances between opposite faces of the cell, Angstrom.

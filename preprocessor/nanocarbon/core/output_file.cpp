@@ -45,7 +45,8 @@ void write_file(const std::filesystem::path& path, const std::function<void(std:
   const bool in_place = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
   if (std::filesystem::is_directory(status)) fail(path, "it is a directory");
 
-  Temporary temporary(in_place ? path : std::filesystem::path(fmt::format("{}.{}.part", path.string(), getpid())));
+  Temporary temporary(in_place ? path
+                               : std::filesystem::path(fmt::format("{}.{}.part", path.string(), getpid())));
   if (in_place) temporary.keep();
   errno = 0;
   std::ofstream stream(temporary.path(), std::ios::binary);

@@ -1,0 +1,13 @@
+#include "common_options.h"
+
+namespace nanocarbon {
+
+void add_common_options(CLI::App& subcommand, CommonOptions& options) {
+  subcommand.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
+  subcommand.add_option("--threads", options.threads, "Threads to use")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  subcommand.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+}
+
+}  // namespace nanocarbon
