@@ -1,0 +1,26 @@
+#pragma once
+
+//! \file
+//! \brief The start of LAMMPS's neighbour-list request (2021), which installed headers leave out.
+//! \details Only ever seen through LAMMPS's own pointer: the members up to the last one set by us, in LAMMPS's order.
+
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+class NeighRequest : protected Pointers {
+ public:
+  int index;
+  void* requestor;
+  int requestor_instance;
+  int id;
+  int pair, fix, compute, command, neigh;  //!< which kind of style asks; one is 1
+  int half, full;                          //!< which pairs the list holds; one is 1
+  int occasional;                          //!< 1: built only when asked for
+  int newton;
+  int ghost;  //!< 1: also the neighbours of ghost atoms
+
+  NeighRequest() = delete;
+};
+
+}  // namespace LAMMPS_NS

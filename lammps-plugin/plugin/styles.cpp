@@ -1,0 +1,48 @@
+#include "plugin/styles.h"
+
+#include <array>
+
+#include "fix.h"
+#include "lammps_version.h"
+#include "pair.h"
+
+using LAMMPS_NS::Fix;
+using LAMMPS_NS::LAMMPS;
+using LAMMPS_NS::Pair;
+
+namespace nanocarbon {
+namespace {
+
+constexpr const char* author = "the nanocarbon authors";
+
+// LAMMPS casts what these return to the base class, so the base class's address it must be.
+template <typename Style>
+void* make_fix(void* lmp, int narg, char** arg) {
+  return static_cast<Fix*>(new Style(static_cast<LAMMPS*>(lmp), narg, arg));
+}
+
+template <typename Style>
+void* make_pair(void* lmp) {
+  return static_cast<Pair*>(new Style(static_cast<LAMMPS*>(lmp)));
+}
+
+template <typename Style>
+constexpr PluginStyle fix_style(const char* name, const char* info) {
+  return {
+      NANOCARBON_LAMMPS_DATE, "fix", name, info, author, {.make_with_arguments = make_fix<Style>}, nullptr};
+}
+
+template <typename Style>
+constexpr PluginStyle pair_style(const char* name, const char* info) {
+  return {NANOCARBON_LAMMPS_DATE, "pair", name, info, author, {.make_one = make_pair<Style>}, nullptr};
+}
+
+}  // namespace
+
+std::span<const PluginStyle> plugin_styles() {
+  // fix_style<Class>("name", "info") or pair_style<Class>("name", "info"), one a line
+  static constexpr std::array<PluginStyle, 0> table = {};
+  return table;
+}
+
+}  // namespace nanocarbon
