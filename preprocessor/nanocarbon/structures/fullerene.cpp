@@ -1,0 +1,49 @@
+#include "nanocarbon/structures/fullerene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/molecule/dual.h"
+#include "nanocarbon/structures/goldberg_coxeter.h"
+#include "nanocarbon/structures/honeycomb.h"
+#include "nanocarbon/structures/icosahedron.h"
+#include "nanocarbon/structures/spring_relaxation.h"
+
+namespace nanocarbon {
+namespace {
+
+//! Triangles of the flat icosahedron for each one of its faces.
+double triangles_per_face(int h, int k) {
+  return static_cast<double>(h) * h + static_cast<double>(h) * k + static_cast<double>(k) * k;
+}
+
+void check_indices(int h, int k) {
+  if (h < 0 || k < 0 || (h == 0 && k == 0))
+    throw UserError(
+        Failure::usage,
+        fmt::format("({}, {}) is no fullerene: both indices must be 0 or more, not both 0", h, k));
+  if (20.0 * triangles_per_face(h, k) > 1e7)
+    throw UserError(Failure::usage,
+                    fmt::format("fullerene ({}, {}) would have {:.0f} atoms; the limit is 10 million", h, k,
+                                20.0 * triangles_per_face(h, k)));
+}
+
+}  // namespace
+
+TriangleMesh icosahedral_triangulation(int h, int k) {
+  check_indices(h, k);
+  return goldberg_coxeter(icosahedron(std::sqrt(triangles_per_face(h, k))), h, k);
+}
+
+Molecule fullerene(int h, int k) {
+  TriangleMesh triangulation = icosahedral_triangulation(h, k);
+  for (Vec3& point : triangulation.points) point *= graphene_lattice_constant;
+  Molecule cage = dual(triangulation);
+  relax_by_springs(cage, {});
+  return cage;
+}
+
+}  // namespace nanocarbon

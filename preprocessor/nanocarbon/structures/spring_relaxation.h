@@ -1,0 +1,26 @@
+#pragma once
+
+#include "nanocarbon/molecule/molecule.h"
+
+namespace nanocarbon {
+
+struct SpringOptions {
+  double bond = 1.43;  //!< rest length of bonds, Angstrom
+  double ring_stiffness =
+      0.3;               //!< of springs between second neighbours in a ring, relative to those of bonds
+  int iterations = 400;  //!< at most
+};
+
+struct SpringResult {
+  int iterations;
+  double shortest_bond;  //!< Angstrom
+  double longest_bond;   //!< Angstrom
+};
+
+//! \brief Evens out bonds and angles of a constructed structure, as a start for a minimisation with a real
+//! potential. \details Springs on bonds, and between second neighbours whose rest length is that of a regular
+//! flat ring, minimised by L-BFGS. Nothing is bonded or cut. \pre bonds and rings are known, and the molecule
+//! is in free space
+SpringResult relax_by_springs(Molecule& molecule, const SpringOptions& options);
+
+}  // namespace nanocarbon
