@@ -1,0 +1,19 @@
+#pragma once
+
+#include "nanocarbon/remeshing/vertex_stars.h"
+
+namespace nanocarbon {
+
+struct LowPassResult {
+  double mean_move = 0.0;  //!< Angstrom, over the vertices that may move
+  double max_move = 0.0;   //!< Angstrom
+};
+
+//! \brief Moves every vertex, in its tangent plane, to the weighted centre of its stars up to the k-th
+//! (Algorithm 5). \details A vertex of ring r has weight 1/r. All new places are found before any vertex
+//! moves; border vertices stay. As printed the sum starts from v_j itself though v_j is not counted in the
+//! weights' sum `fat`; that would move a regular lattice far from the origin, so the sum starts from zero
+//! here, as the text of section 4.3 has it (the centre of mass of its neighbours). \param rings k, at least 1
+LowPassResult low_pass_filter(VertexStars& stars, unsigned rings);
+
+}  // namespace nanocarbon

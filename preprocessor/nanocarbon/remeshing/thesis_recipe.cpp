@@ -1,0 +1,154 @@
+#include "nanocarbon/remeshing/thesis_recipe.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/remeshing/low_pass_filter.h"
+#include "nanocarbon/remeshing/projection.h"
+
+namespace nanocarbon {
+namespace {
+
+//! Runs a step and adds the time it took.
+template <class Step>
+auto timed(double& seconds, Step&& step) {
+  struct Clock {
+    double& sum;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    ~Clock() { sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+  } const clock{seconds};
+  return step();
+}
+
+void add(StellarTotals& sum, const StellarTotals& t) {
+  sum.candidates += t.candidates;
+  sum.collapses += t.collapses;
+  sum.splits += t.splits;
+  sum.refused += t.refused;
+}
+
+void add(ValenceTotals& sum, const ValenceTotals& t) {
+  sum.passes += t.passes;
+  sum.flips += t.flips;
+}
+
+void add(LocalTotals& sum, const LocalTotals& t) {
+  sum.candidates += t.candidates;
+  sum.minimised += t.minimised;
+  sum.iterations += t.iterations;
+}
+
+void check(const TriangleMesh& surface) {
+  for (std::size_t v = 0; v < surface.points.size(); ++v)
+    if (!surface.points[v].allFinite())
+      throw UserError(Failure::unsuitable,
+                      fmt::format("vertex {} is not at a finite place: mend the mesh", v));
+}
+
+//! One run of Algorithm 1: the mesh, the projection mesh and the account of what was done.
+class Recipe {
+ public:
+  Recipe(const TriangleMesh& surface, const ThesisOptions& options)
+      : options_(options),
+        interval_(edge_interval(options.min_bond, options.max_bond)),
+        mesh_(to_triangulation(surface)),
+        projection_mesh_(surface) {}
+
+  ThesisResult run() {
+    timed(result_.seconds.total, [&] {
+      EdgeCounts edges = record();
+      while (edges.outside() > 0 && result_.iterations < options_.iterations) {
+        iterate();
+        ++result_.iterations;
+        edges = record();
+        if (options_.progress) options_.progress({result_.iterations, options_.iterations, edges});
+      }
+      result_.stop = edges.outside() > 0 ? ThesisStop::iteration_limit : ThesisStop::converged;
+      finish();
+    });
+    return std::move(result_);
+  }
+
+ private:
+  EdgeCounts record() {
+    const EdgeCounts edges = count_edges(mesh_, interval_);
+    result_.history.push_back(edges);
+    return edges;
+  }
+
+  bool uses_local_optimisation() const { return options_.local_threshold >= 0.0; }
+
+  //! Lines 5 to 16.
+  void iterate() {
+    const unsigned p = options_.projection_interval;
+    // At i = 0 the projection mesh already is a copy of the surface.
+    if (p > 0 && result_.iterations > 0 && result_.iterations % p == 0) {
+      timed(result_.seconds.projection, [&] { projection_mesh_ = ProjectionMesh(to_triangle_mesh(mesh_)); });
+      ++result_.projection_replacements;
+    }
+    timed(result_.seconds.stellar, [&] {
+      const LengthInterval interpolated = interpolated_interval(interval_, mean_edge_length(mesh_));
+      add(result_.stellar,
+          stellar_pass(mesh_, {interpolated, interval_.mean(), options_.stellar_position, {}}));
+    });
+    timed(result_.seconds.valence, [&] {
+      add(result_.valence, optimise_valences(mesh_, {options_.valence_error, options_.repeat_valences, {}}));
+    });
+    VertexStars stars = vertex_stars(mesh_);
+    if (uses_local_optimisation() &&
+        count_edges(mesh_, interval_).percent_outside() <= options_.local_threshold) {
+      timed(result_.seconds.local, [&] { add(result_.local, optimise_locally(stars, local_options(true))); });
+      ++result_.local_iterations;
+    } else {
+      timed(result_.seconds.low_pass, [&] { return low_pass_filter(stars, options_.rings); });
+      ++result_.low_pass_iterations;
+    }
+    timed(result_.seconds.projection,
+          [&] { return project_points(stars.points, projection_mesh_, options_.nearest_vertices); });
+    set_points(mesh_, stars);
+  }
+
+  //! Lines 18 and 19, and the counts of the result.
+  void finish() {
+    VertexStars stars = vertex_stars(mesh_);
+    if (uses_local_optimisation())
+      timed(result_.seconds.local, [&] { add(result_.local, optimise_locally(stars, local_options(true))); });
+    if (options_.post_processing == PostProcessing::at_end)
+      timed(result_.seconds.post_processing,
+            [&] { add(result_.post_processing, optimise_locally(stars, local_options(false))); });
+    set_points(mesh_, stars);
+    result_.edges = count_edges(mesh_, interval_);
+    result_.mean_edge = mean_edge_length(mesh_);
+    result_.valences = count_valences(mesh_);
+    result_.mesh = to_triangle_mesh(mesh_);
+  }
+
+  LocalOptions local_options(bool tangent_plane) const {
+    LocalOptions local;
+    local.interval = interval_;
+    local.tangent_plane = tangent_plane;
+    return local;
+  }
+
+  const ThesisOptions& options_;
+  LengthInterval interval_;
+  Triangulation mesh_;
+  ProjectionMesh projection_mesh_;
+  ThesisResult result_;
+};
+
+}  // namespace
+
+const char* to_string(ThesisStop stop) {
+  return stop == ThesisStop::converged ? "converged: no short or long edge is left"
+                                       : "the limit of iterations was reached";
+}
+
+ThesisResult remesh_by_thesis(const TriangleMesh& surface, const ThesisOptions& options) {
+  check(surface);
+  return Recipe(surface, options).run();
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "nanocarbon/mesh/triangle_mesh.h"
+#include "nanocarbon/remeshing/edge_lengths.h"
+#include "nanocarbon/remeshing/local_optimiser.h"
+#include "nanocarbon/remeshing/stellar_pass.h"
+#include "nanocarbon/remeshing/thesis_options.h"
+#include "nanocarbon/remeshing/valence_optimiser.h"
+
+namespace nanocarbon {
+
+enum class ThesisStop {
+  converged,       //!< no edge is short or long
+  iteration_limit  //!< n iterations were done
+};
+
+//! The words of a report for it.
+const char* to_string(ThesisStop stop);
+
+//! CPU-independent wall-clock seconds by step.
+struct ThesisSeconds {
+  double stellar = 0.0;
+  double valence = 0.0;
+  double low_pass = 0.0;
+  double local = 0.0;
+  double projection = 0.0;  //!< with the replacements of the projection mesh
+  double post_processing = 0.0;
+  double total = 0.0;
+};
+
+struct ThesisResult {
+  TriangleMesh mesh;  //!< Angstrom; its dual (molecule/dual.h) is the molecule
+  unsigned iterations = 0;
+  ThesisStop stop = ThesisStop::iteration_limit;
+  std::vector<EdgeCounts> history;  //!< of the surface as given, then after every iteration
+  EdgeCounts edges;                 //!< of the result, after post-processing
+  double mean_edge = 0.0;           //!< Angstrom
+  ValenceCounts valences;
+
+  StellarTotals stellar;  //!< over all iterations, as are those below
+  ValenceTotals valence;
+  unsigned low_pass_iterations = 0;  //!< iterations that filtered globally
+  unsigned local_iterations = 0;     //!< iterations that optimised locally
+  LocalTotals local;                 //!< with the final NonLinearOptimizer of line 18
+  unsigned projection_replacements = 0;
+  LocalTotals post_processing;
+  ThesisSeconds seconds;
+};
+
+//! \brief Adaptive remeshing (Algorithm 1), up to but without the dual.
+//! \details `iter` and `i` of the listing are one counter, `r` is k, and the percentage of line 10 is that of
+//! the edges outside [l_min, l_max] after the valence optimiser. Line 6 replaces the projection mesh also at
+//! i = 0, by the copy it already is. Lines 18 and 19 do nothing on a mesh that converged, for their priority
+//! lists are empty. The result's topology is the surface's. \param surface Angstrom: scaled already (see
+//! scale_for_atoms()) \pre bond lengths are above zero and in order \throw UserError (unsuitable) where the
+//! surface is not an oriented 2-manifold or a point is not finite
+ThesisResult remesh_by_thesis(const TriangleMesh& surface, const ThesisOptions& options);
+
+}  // namespace nanocarbon
