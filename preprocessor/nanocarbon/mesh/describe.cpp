@@ -1,0 +1,80 @@
+#include "nanocarbon/mesh/describe.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace nanocarbon {
+namespace {
+
+struct Words {
+  const char* one;
+  const char* many;
+  const char* remedy;
+};
+
+Words words_for(MeshProblem problem) {
+  switch (problem) {
+    case MeshProblem::no_faces:
+      return {"the mesh has no faces", "", "give a mesh with faces; point clouds need to be meshed first"};
+    case MeshProblem::too_many_corners:
+      return {"face has more than 10000 corners", "faces have more than 10000 corners",
+              "triangulate the mesh"};
+    case MeshProblem::repeated_vertex:
+      return {"face passes through a vertex twice", "faces pass through a vertex twice",
+              "remove or divide these faces"};
+    case MeshProblem::duplicate_face:
+      return {"face lies on another one with the same vertices",
+              "faces lie on other ones with the same vertices", "remove one of each two"};
+    case MeshProblem::non_manifold_edge:
+      return {"edge has more than two faces", "edges have more than two faces",
+              "separate the parts that meet there, or remove inner faces"};
+    case MeshProblem::non_manifold_vertex:
+      return {"vertex holds parts of the surface together by a single point",
+              "vertices hold parts of the surface together by a single point",
+              "give each part a vertex of its own"};
+    case MeshProblem::not_orientable:
+      return {"piece is not orientable: it has no two sides",
+              "pieces are not orientable: they have no two sides", "cut it open or use another surface"};
+    case MeshProblem::no_area:
+      return {"face has no area: its vertices lie on a line",
+              "faces have no area: their vertices lie on a line", "remove slivers, or remesh the surface"};
+    case MeshProblem::pieces_intersect:
+      return {"pair of faces of different pieces intersects", "pairs of faces of different pieces intersect",
+              "unite the pieces (boolean union) or move them apart"};
+    case MeshProblem::inconsistent_winding:
+      return {"edge has its two faces wound against each other",
+              "edges have their two faces wound against each other",
+              "the faces are turned when the mesh is used"};
+    case MeshProblem::inside_out:
+      return {"the mesh is inside-out: its volume is negative as wound", "", "it is turned when it is used"};
+    case MeshProblem::unused_vertex:
+      return {"vertex belongs to no face", "vertices belong to no face",
+              "they are dropped when the mesh is used"};
+    case MeshProblem::self_intersection:
+      return {"pair of faces intersects", "pairs of faces intersect", "atoms may come too close there"};
+    case MeshProblem::duplicate_vertex:
+      break;
+  }
+  return {"vertex lies exactly on another one", "vertices lie exactly on others",
+          "join them where the surface should be connected"};
+}
+
+}  // namespace
+
+std::string describe(const MeshFinding& finding) {
+  const Words words = words_for(finding.problem);
+  if (finding.places.empty() || finding.places[0].vertices.empty())
+    return fmt::format("{}; {}", words.one, words.remedy);
+  const MeshPlace& place = finding.places[0];
+  std::string where =
+      fmt::format("at ({:.6g}, {:.6g}, {:.6g})", place.point.x(), place.point.y(), place.point.z());
+  if (!place.faces.empty())
+    where += fmt::format(", face{} {}", place.faces.size() > 1 ? "s" : "", fmt::join(place.faces, " and "));
+  where +=
+      fmt::format(", vert{} {}", place.vertices.size() > 1 ? "ices" : "ex", fmt::join(place.vertices, ", "));
+  return fmt::format("{} {} ({}{}; numbers from 0); {}", finding.count,
+                     finding.count == 1 ? words.one : words.many, finding.count == 1 ? "" : "first ", where,
+                     words.remedy);
+}
+
+}  // namespace nanocarbon

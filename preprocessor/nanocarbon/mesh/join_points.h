@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "nanocarbon/mesh/polygon_soup.h"
+
+namespace nanocarbon {
+
+//! Which points are one: for each point the first point (in order) at its place.
+struct CoincidentPoints {
+  std::vector<VertexIndex> representative;
+  std::size_t duplicates = 0;  //!< points that are not their own representative
+};
+
+//! Points at exactly the same coordinates (0 and -0 are the same). Linear, by hashing.
+CoincidentPoints coincident_points(std::span<const Vec3> points);
+
+//! \brief Points closer than a tolerance to an earlier point that is not itself such a point.
+//! \details Linear, by spatial hashing, however many points share a place.
+//! \param tolerance mesh units, above zero
+CoincidentPoints points_within(std::span<const Vec3> points, double tolerance);
+
+//! Renames every corner to its representative and drops the points that are not their own.
+void join(PolygonSoup& soup, const CoincidentPoints& coincident);
+
+//! \brief Drops the points that no corner uses; the others keep their order.
+//! \return how many were dropped
+std::size_t drop_unused_points(PolygonSoup& soup);
+
+}  // namespace nanocarbon

@@ -1,0 +1,101 @@
+#include "nanocarbon/mesh/join_seams.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "nanocarbon/mesh/drop_faces.h"
+#include "nanocarbon/mesh/edge_table.h"
+#include "nanocarbon/mesh/join_points.h"
+#include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/mesh_topology.h"
+
+namespace nanocarbon {
+namespace {
+
+struct Borders {
+  std::size_t edges = 0;
+  bool manifold = true;
+  std::vector<bool> has_vertex;
+  double median_length = 0.0;  // of border edges, mesh units
+};
+
+Borders borders_of(const PolygonSoup& soup) {
+  const EdgeTable edges = edge_table(soup);
+  Borders borders;
+  borders.manifold = mesh_topology(soup, edges).manifold();
+  borders.has_vertex.resize(soup.points.size(), false);
+  std::vector<double> lengths;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.uses_of(e).size() != 1) continue;
+    borders.has_vertex[edges.low[e]] = borders.has_vertex[edges.high[e]] = true;
+    lengths.push_back((soup.points[edges.high[e]] - soup.points[edges.low[e]]).norm());
+  }
+  borders.edges = lengths.size();
+  if (lengths.empty()) return borders;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  borders.median_length = *middle;
+  return borders;
+}
+
+// Only vertices on borders may join, and only with each other.
+template <typename Find>
+CoincidentPoints among_border_vertices(const PolygonSoup& soup, const Borders& borders, const Find& find) {
+  std::vector<VertexIndex> on_border;
+  std::vector<Vec3> points;
+  for (VertexIndex v = 0; v < soup.points.size(); ++v)
+    if (borders.has_vertex[v]) {
+      on_border.push_back(v);
+      points.push_back(soup.points[v]);
+    }
+  const CoincidentPoints found = find(points);
+  CoincidentPoints result;
+  result.duplicates = found.duplicates;
+  result.representative.resize(soup.points.size());
+  for (VertexIndex v = 0; v < soup.points.size(); ++v) result.representative[v] = v;
+  for (std::size_t i = 0; i < on_border.size(); ++i)
+    result.representative[on_border[i]] = on_border[found.representative[i]];
+  return result;
+}
+
+bool is_better(const PolygonSoup& joined, const Borders& before) {
+  PolygonSoup faces = joined;
+  if (drop_faces_repeating_a_vertex(faces) > 0) return false;
+  const Borders after = borders_of(joined);
+  return after.edges < before.edges && after.manifold;
+}
+
+}  // namespace
+
+std::optional<std::string> join_seams(PolygonSoup& soup) {
+  const Borders borders = borders_of(soup);
+  if (borders.edges == 0) return std::nullopt;
+  const auto try_to_join = [&](const CoincidentPoints& coincident,
+                               bool whatever_comes) -> std::optional<std::string> {
+    if (coincident.duplicates == 0) return std::nullopt;
+    PolygonSoup joined = soup;
+    join(joined, coincident);
+    if (!whatever_comes && !is_better(joined, borders)) return std::nullopt;
+    soup = std::move(joined);
+    return fmt::format("joined {} border vertices to others at the same place", coincident.duplicates);
+  };
+
+  const bool nothing_shared = soup.faces() > 1 && soup.corners.size() <= soup.points.size() &&
+                              coincident_points(soup.points).duplicates > 0 &&
+                              mesh_topology(soup, edge_table(soup)).pieces == soup.faces();
+  const auto exactly = [](const std::vector<Vec3>& points) { return coincident_points(points); };
+  if (auto done = try_to_join(among_border_vertices(soup, borders, exactly), nothing_shared)) return done;
+  if (soup.has_vertex_numbers) return std::nullopt;
+  const double tolerance =
+      std::min(1e-6 * bounding_box(soup.points).diagonal(), 0.01 * borders.median_length);
+  if (!(tolerance > 0.0)) return std::nullopt;
+  const auto nearly = [&](const std::vector<Vec3>& points) { return points_within(points, tolerance); };
+  auto done = try_to_join(among_border_vertices(soup, borders, nearly), false);
+  if (done) *done += fmt::format(" within {:.3g} mesh units", tolerance);
+  return done;
+}
+
+}  // namespace nanocarbon

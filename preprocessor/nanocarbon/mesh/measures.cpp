@@ -1,0 +1,72 @@
+#include "nanocarbon/mesh/measures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace nanocarbon {
+
+void BoundingBox::include(const Vec3& point) {
+  low = low.cwiseMin(point);
+  high = high.cwiseMax(point);
+}
+
+BoundingBox bounding_box(std::span<const Vec3> points) {
+  BoundingBox box;
+  for (const Vec3& point : points) box.include(point);
+  return box;
+}
+
+EdgeLengths edge_lengths(std::span<const Vec3> points, const EdgeTable& edges) {
+  EdgeLengths result;
+  result.edges = edges.size();
+  if (edges.size() == 0) return result;
+  result.min = 1e300;
+  const auto length = [&](std::size_t e) { return (points[edges.high[e]] - points[edges.low[e]]).norm(); };
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    result.min = std::min(result.min, length(e));
+    result.max = std::max(result.max, length(e));
+    result.mean += length(e);
+  }
+  const auto n = static_cast<double>(edges.size());
+  result.mean /= n;
+  double squares = 0.0;
+  for (std::size_t e = 0; e < edges.size(); ++e) squares += std::pow(length(e) - result.mean, 2);
+  result.standard_deviation = std::sqrt(squares / n);
+  return result;
+}
+
+EdgeLengths edge_lengths(const TriangleMesh& mesh) {
+  return edge_lengths(mesh.points, edge_table(soup_of(mesh)));
+}
+
+Vec3 area_normal(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
+
+double area(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    sum += 0.5 * area_normal(mesh.points[a], mesh.points[b], mesh.points[c]).norm();
+  return sum;
+}
+
+Vec3 newell_normal(std::span<const Vec3> points, std::span<const VertexIndex> corners) {
+  const Vec3 origin = points[corners[0]];
+  Vec3 normal = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    normal += (points[corners[i]] - origin).cross(points[corners[i + 1]] - origin);
+  return normal;
+}
+
+// Taken from a point of the mesh, so that a mesh far from the origin loses no digits.
+double signed_volume(const PolygonSoup& soup) {
+  if (soup.faces() == 0) return 0.0;
+  const Vec3 origin = soup.points[soup.corners[0]];
+  double sum = 0.0;
+  for (std::size_t face = 0; face < soup.faces(); ++face)
+    sum += (soup.points[soup.face(face)[0]] - origin).dot(newell_normal(soup.points, soup.face(face))) / 6.0;
+  return sum;
+}
+
+double signed_volume(const TriangleMesh& mesh) { return signed_volume(soup_of(mesh)); }
+
+}  // namespace nanocarbon

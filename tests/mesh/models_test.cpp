@@ -1,0 +1,100 @@
+// Every real mesh against what its index says it is; the index was made with other programs.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/read_mesh.h"
+#include "nanocarbon/mesh/surface.h"
+#include "support/models.h"
+
+namespace nanocarbon {
+namespace {
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<Row> read_index() {
+  std::ifstream stream(test::models_folder() / "INDEX.tsv");
+  std::vector<std::string> columns;
+  std::vector<Row> rows;
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream cells(line);
+    std::vector<std::string> row;
+    for (std::string cell; std::getline(cells, cell, '\t');) row.push_back(cell);
+    if (columns.empty()) {
+      columns = row;
+      continue;
+    }
+    rows.emplace_back();
+    for (std::size_t i = 0; i < columns.size() && i < row.size(); ++i) rows.back()[columns[i]] = row[i];
+  }
+  return rows;
+}
+
+std::size_t count(const MeshDiagnosis& diagnosis, MeshProblem problem) {
+  const MeshFinding* finding = diagnosis.find(problem);
+  return finding ? finding->count : 0;
+}
+
+std::string refusal(const std::filesystem::path& path) {
+  try {
+    load_surface(path);
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Models, GoodMeshesAreWhatTheIndexSays) {
+  NANOCARBON_NEEDS_MODELS();
+  std::size_t meshes = 0;
+  for (const Row& row : read_index()) {
+    if (row.at("class") == "bad") continue;
+    SCOPED_TRACE(row.at("file"));
+    ++meshes;
+    const LoadedSurface surface = load_surface(test::models_folder() / row.at("file"));
+    const MeshTopology& topology = surface.diagnosis.topology;
+    EXPECT_EQ(std::to_string(topology.vertices), row.at("V"));
+    EXPECT_EQ(std::to_string(topology.faces), row.at("F"));
+    EXPECT_EQ(std::to_string(topology.pieces), row.at("components"));
+    EXPECT_EQ(std::to_string(topology.boundary_loops), row.at("boundary_loops"));
+    EXPECT_EQ(std::to_string(topology.euler_characteristic), row.at("euler"));
+    EXPECT_EQ(std::to_string(topology.genus), row.at("genus"));
+    EXPECT_EQ(topology.orientable ? "yes" : "no", row.at("orientable"));
+    EXPECT_EQ(topology.closed() ? "closed" : "open", row.at("class"));
+    EXPECT_EQ(std::to_string(count(surface.diagnosis, MeshProblem::duplicate_vertex)),
+              row.at("duplicate_vertices"));
+    const EdgeLengths& edges = surface.diagnosis.edges;
+    // The index averages over the sides of faces, so that border edges weigh half: a little else in open
+    // meshes.
+    EXPECT_NEAR(edges.mean, std::stod(row.at("edge_mean")), (topology.closed() ? 5e-4 : 3e-3) * edges.mean);
+    EXPECT_NEAR(edges.coefficient_of_variation(), std::stod(row.at("edge_cv")), 0.0051);
+    EXPECT_NEAR(edges.min / edges.mean, std::stod(row.at("edge_min/mean")), 0.0051 * edges.min / edges.mean);
+    EXPECT_NEAR(edges.max / edges.mean, std::stod(row.at("edge_max/mean")), 0.006 * edges.max / edges.mean);
+    if (topology.closed()) {
+      EXPECT_GT(surface.diagnosis.volume.value(), 0.0);
+    }
+    const bool inside_out = row.at("note").find("inside-out") != std::string::npos;
+    if (inside_out)
+      EXPECT_THAT(surface.repairs, testing::ElementsAre(testing::HasSubstr("inside-out")));
+    else
+      EXPECT_THAT(surface.repairs, testing::IsEmpty());
+  }
+  EXPECT_GT(meshes, 20u);
+}
+
+TEST(Models, BadMeshesAreRefusedWithTheReasonTheIndexGives) {
+  NANOCARBON_NEEDS_MODELS();
+  const auto models = test::models_folder();
+  using testing::HasSubstr;
+  EXPECT_THAT(refusal(models / "bad-shared-edge.stl"), HasSubstr("1 edge has more than two faces"));
+  EXPECT_THAT(refusal(models / "bad-hourglass-vertex.obj"), HasSubstr("1 vertex holds parts"));
+  EXPECT_THAT(refusal(models / "bad-moebius.off"), HasSubstr("not orientable"));
+  EXPECT_THAT(refusal(models / "bad-degenerate-triangles.off"), HasSubstr("4 faces have no area"));
+  EXPECT_THAT(refusal(models / "bad-truncated.off"), HasSubstr("bad-truncated.off:6: "));
+}
+
+}  // namespace
+}  // namespace nanocarbon
