@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "nanocarbon/molecule/disjoint_sets.h"
 #include "nanocarbon/molecule/molecule.h"
 
 namespace nanocarbon {
@@ -17,5 +18,8 @@ struct Pieces {
 
 //! Connected pieces by union-find, linear in atoms and bonds. Images of a bond's second atom do not matter.
 Pieces connected_pieces(std::size_t atoms, std::span<const Bond> bonds);
+
+//! The same from sets that are already joined.
+Pieces numbered_pieces(std::size_t atoms, DisjointSets& sets);
 
 }  // namespace nanocarbon

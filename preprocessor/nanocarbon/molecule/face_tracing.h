@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "nanocarbon/molecule/rotation_system.h"
+
+namespace nanocarbon {
+
+//! The faces of a rotation system in compressed rows of half-edges.
+struct Faces {
+  std::vector<std::uint32_t> offsets = {0};  //!< size faces + 1
+  std::vector<AtomIndex> atoms;  //!< along the face; an atom stands here as often as the face passes it
+  std::vector<double> turning;   //!< of each face: sum of its turns to the left, radians: 2 pi around a flat
+                                //!< ring, 0 around a straight tube's end, -2 pi around a flat flake; taken as
+                                //!< 2 pi where all atoms have three bonds
+  std::size_t size() const { return offsets.size() - 1; }
+};
+
+//! \brief Traces the faces: along a half-edge, then always the next one on the left.
+//! \details Over a twisted bond left and right swap. Each bond is passed twice in all, each face is found
+//! once, also where the surface has only one side. Faces of an oriented piece lie to the left seen against
+//! its normals (turned where `flipped`). Rows start at the lowest atom. \pre rotation.skeleton.problem is
+//! empty
+Faces trace_faces(const EmbeddedGraph& graph, const RotationSystem& rotation);
+
+}  // namespace nanocarbon

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nanocarbon/molecule/embedded_graph.h"
+#include "nanocarbon/molecule/molecule.h"
+
+namespace nanocarbon {
+
+//! What two surfaces must share to be homeomorphic, for one connected piece of a molecule.
+struct PieceTopology {
+  bool has_rings = false;  //!< without a ring it is a fragment (a lone atom, a chain), counted as a disc
+  bool orientable = true;
+  int genus = 0;  //!< handles where orientable, cross-caps otherwise
+  int boundary_loops = 0;
+  friend auto operator<=>(const PieceTopology&, const PieceTopology&) = default;
+  int euler_characteristic() const { return 2 - (orientable ? 2 : 1) * genus - boundary_loops; }
+};
+
+//! Why a bond graph is no surface, and the atom where.
+struct NotASurface {
+  std::string reason;  //!< names atoms by index, from 0
+  AtomIndex atom;
+};
+
+//! The surface that the rings of a bond graph make. Where it is none, only `problem`, coordination and pieces
+//! mean anything.
+struct SurfaceTopology {
+  std::optional<NotASurface> problem;
+  std::vector<PieceTopology> pieces;  //!< numbered by their lowest atom
+  int euler_characteristic = 0;       //!< these four: sums over the pieces
+  int genus = 0;
+  int boundary_loops = 0;
+  bool orientable = true;                    //!< every piece is
+  std::vector<std::uint32_t> ring_counts;    //!< by size; size max_ring + 1
+  std::vector<std::uint32_t> piece_of_atom;  //!< index into pieces
+  std::vector<std::uint8_t> coordination;    //!< bonds of each atom (255 for more)
+  std::vector<std::uint8_t> smallest_ring;   //!< of each atom; 0 where it is in no ring
+  Rings rings;  //!< each starts at its lowest atom; those of an orientable piece all run counter-clockwise
+                //!< seen from the side that it bends away from, the outside
+};
+
+struct TopologyOptions {
+  int max_ring = 12;  //!< a face with more atoms is a hole, that is a boundary loop; 3 to 255
+};
+
+//! \brief Reads a molecule's surface off its bonds by face tracing (not by shortest cycles).
+//! \details rotation_system.h says how sides are told, face_tracing.h how faces are. Rings are the faces of
+//! at most max_ring atoms, the others are boundary loops; so is a shorter face that turns the wrong way or
+//! not at all (less than half a full turn to the left), as the rim of a naphthalene or of a thin open tube
+//! does. Hydrogen is not part of the surface. Carbon that hangs on by one bond, alone or as a tree, is left
+//! out of faces and changes nothing. Not a surface, and never guessed: a carbon atom bonded to four or more
+//! others; a bond known to one of its atoms only; a cycle through a bond so twisted that its sides cannot be
+//! told. Linear; 10,000 atoms take milliseconds.
+SurfaceTopology surface_topology(const EmbeddedGraph& graph, const TopologyOptions& options = {});
+
+enum class Verdict { intact = 0, homeomorphic = 1, broken = 2, not_a_surface = 3 };
+std::string_view name(Verdict verdict);
+
+struct Judgement {
+  Verdict verdict;
+  std::string reason;             //!< empty where intact
+  std::optional<AtomIndex> atom;  //!< where, if at one atom
+};
+
+//! \brief Compares a surface with the one it was.
+//! \details Intact: the bonds are the same, whatever they make. Homeomorphic: other bonds, but the pieces are
+//! of the same kinds (the multisets of PieceTopology are equal; sums alone would miss changes that make up
+//! for each other). \param lost_atoms atoms that are no longer there at all, which is broken
+Judgement judge(const SurfaceTopology& start, const SurfaceTopology& now, bool same_bonds,
+                std::size_t lost_atoms = 0);
+
+}  // namespace nanocarbon
