@@ -1,0 +1,16 @@
+#pragma once
+
+#include "nanocarbon/mesh/triangle_mesh.h"
+#include "nanocarbon/structures/implicit_surface.h"
+
+namespace nanocarbon {
+
+//! \brief The part of a mesh inside a shape (where it is below zero), with a smooth border where it was cut.
+//! \details Vertices close to the cut are moved onto it along their edges, the triangles that cross it are
+//! split there.
+TriangleMesh clip_mesh(const TriangleMesh& mesh, const ImplicitShape& keep);
+
+//! Keeps the largest connected piece (the first one, of several as large).
+TriangleMesh largest_piece(const TriangleMesh& mesh);
+
+}  // namespace nanocarbon
