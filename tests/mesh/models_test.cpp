@@ -66,6 +66,8 @@ TEST(Models, GoodMeshesAreWhatTheIndexSays) {
     EXPECT_EQ(topology.closed() ? "closed" : "open", row.at("class"));
     EXPECT_EQ(std::to_string(count(surface.diagnosis, MeshProblem::duplicate_vertex)),
               row.at("duplicate_vertices"));
+    EXPECT_EQ(std::to_string(count(surface.diagnosis, MeshProblem::self_intersection)),
+              row.at("self_intersecting_pairs"));
     const EdgeLengths& edges = surface.diagnosis.edges;
     // The index averages over the sides of faces, so that border edges weigh half: a little else in open
     // meshes.
@@ -93,6 +95,8 @@ TEST(Models, BadMeshesAreRefusedWithTheReasonTheIndexGives) {
   EXPECT_THAT(refusal(models / "bad-hourglass-vertex.obj"), HasSubstr("1 vertex holds parts"));
   EXPECT_THAT(refusal(models / "bad-moebius.off"), HasSubstr("not orientable"));
   EXPECT_THAT(refusal(models / "bad-degenerate-triangles.off"), HasSubstr("4 faces have no area"));
+  EXPECT_THAT(refusal(models / "bad-two-spheres.obj"),
+              HasSubstr("147 pairs of faces of different pieces intersect"));
   EXPECT_THAT(refusal(models / "bad-truncated.off"), HasSubstr("bad-truncated.off:6: "));
 }
 

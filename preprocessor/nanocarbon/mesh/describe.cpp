@@ -52,6 +52,9 @@ Words words_for(MeshProblem problem) {
               "they are dropped when the mesh is used"};
     case MeshProblem::self_intersection:
       return {"pair of faces intersects", "pairs of faces intersect", "atoms may come too close there"};
+    case MeshProblem::search_given_up:
+      return {"the search for intersections was given up: too many faces overlap", "",
+              "look at the mesh in a viewer"};
     case MeshProblem::duplicate_vertex:
       break;
   }

@@ -13,6 +13,7 @@ Severity severity(MeshProblem problem) {
     case MeshProblem::unused_vertex:
       return Severity::mended;
     case MeshProblem::self_intersection:
+    case MeshProblem::search_given_up:
     case MeshProblem::duplicate_vertex:
       return Severity::warning;
     default:
@@ -48,6 +49,8 @@ const char* name(MeshProblem problem) {
       return "unused_vertex";
     case MeshProblem::self_intersection:
       return "self_intersection";
+    case MeshProblem::search_given_up:
+      return "search_given_up";
     case MeshProblem::duplicate_vertex:
       break;
   }

@@ -29,6 +29,7 @@ enum class MeshProblem {
   unused_vertex,
   // A mesh can be used in spite of these.
   self_intersection,
+  search_given_up,
   duplicate_vertex,
 };
 

@@ -7,6 +7,7 @@
 #include "nanocarbon/mesh/describe.h"
 #include "nanocarbon/mesh/join_points.h"
 #include "nanocarbon/mesh/same_faces.h"
+#include "nanocarbon/mesh/self_intersections.h"
 #include "nanocarbon/mesh/triangulate.h"
 
 namespace nanocarbon {
@@ -87,6 +88,20 @@ void find_in_topology(const PolygonSoup& soup, const EdgeTable& edges, const Mes
       findings.add(MeshProblem::inconsistent_winding, {edges.low[e], edges.high[e]}, faces_at(edges, e));
 }
 
+void find_intersections(const PolygonSoup& soup, const MeshTopology& topology, Findings& findings) {
+  TriangleMesh mesh;
+  mesh.points = soup.points;
+  for (std::size_t face = 0; face < soup.faces(); ++face)
+    mesh.triangles.push_back({soup.face(face)[0], soup.face(face)[1], soup.face(face)[2]});
+  const SelfIntersections found = self_intersections(mesh);
+  for (const bool between_pieces : {true, false})
+    for (const auto& [first, second] : found.pairs)
+      if ((topology.piece_of_face[first] != topology.piece_of_face[second]) == between_pieces)
+        findings.add(between_pieces ? MeshProblem::pieces_intersect : MeshProblem::self_intersection,
+                     vertices_of(soup.face(first)), {first, second});
+  if (!found.complete) findings.add(MeshProblem::search_given_up, {}, {});
+}
+
 void find_in_points(const PolygonSoup& soup, Findings& findings) {
   std::vector<bool> used(soup.points.size(), false);
   for (const VertexIndex corner : soup.corners) used[corner] = true;
@@ -106,6 +121,8 @@ void find_problems(const PolygonSoup& soup, const EdgeTable& edges, MeshDiagnosi
   find_in_faces(soup, findings);
   find_in_topology(soup, edges, diagnosis.topology, findings);
   if (diagnosis.volume && *diagnosis.volume < 0.0) findings.add(MeshProblem::inside_out, {}, {});
+  // Polygons have no one surface to intersect with until they are cut into triangles.
+  if (diagnosis.most_corners_of_a_face == 3) find_intersections(soup, diagnosis.topology, findings);
   find_in_points(soup, findings);
   for (MeshFinding& finding : diagnosis.findings) finding.text = describe(finding);
 }

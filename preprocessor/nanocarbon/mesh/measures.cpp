@@ -11,6 +11,22 @@ void BoundingBox::include(const Vec3& point) {
   high = high.cwiseMax(point);
 }
 
+bool meets_segment(const BoundingBox& box, const Vec3& p, const Vec3& q) {
+  // Separating axes: the box's three, and those normal to the segment and one of them (Ericson, 5.3.3). The
+  // margin covers rounding.
+  const Vec3 half = 0.5 * (box.high - box.low);
+  const Vec3 middle = 0.5 * (p + q) - 0.5 * (box.high + box.low);
+  const Vec3 reach = 0.5 * (q - p);
+  const double margin = 1e-12 * (middle.cwiseAbs().sum() + reach.cwiseAbs().sum() + half.sum());
+  if ((middle.cwiseAbs().array() > half.array() + reach.cwiseAbs().array() + margin).any()) return false;
+  const Vec3 across = middle.cross(reach).cwiseAbs();
+  const Vec3 r = reach.cwiseAbs();
+  const double wide = margin * r.sum();
+  return across.x() <= half.y() * r.z() + half.z() * r.y() + wide &&
+         across.y() <= half.x() * r.z() + half.z() * r.x() + wide &&
+         across.z() <= half.x() * r.y() + half.y() * r.x() + wide;
+}
+
 BoundingBox bounding_box(std::span<const Vec3> points) {
   BoundingBox box;
   for (const Vec3& point : points) box.include(point);

@@ -21,6 +21,14 @@ struct BoundingBox {
   double diagonal() const { return extent().norm(); }
 };
 
+//! Whether two boxes touch or overlap.
+inline bool overlap(const BoundingBox& a, const BoundingBox& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+//! Whether a box and the segment from p to q may meet; never false where they do.
+bool meets_segment(const BoundingBox& box, const Vec3& p, const Vec3& q);
+
 BoundingBox bounding_box(std::span<const Vec3> points);
 
 //! Lengths of edges, each edge once. Mesh units.

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/input_file.h"
+#include "nanocarbon/mesh/mesh_format.h"
 #include "nanocarbon/mesh/read_obj.h"
 #include "nanocarbon/mesh/read_off.h"
 #include "nanocarbon/mesh/read_ply.h"
@@ -17,16 +17,6 @@
 
 namespace nanocarbon {
 namespace {
-
-std::optional<MeshFormat> format_of_extension(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".off") return MeshFormat::off;
-  if (extension == ".obj") return MeshFormat::obj;
-  if (extension == ".ply") return MeshFormat::ply;
-  if (extension == ".stl") return MeshFormat::stl;
-  return std::nullopt;
-}
 
 bool begins_like_obj(std::string_view line) {
   constexpr std::array keywords = {"v", "vt", "vn", "f", "g", "o", "s", "mtllib", "usemtl"};

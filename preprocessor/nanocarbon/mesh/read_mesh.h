@@ -8,9 +8,6 @@
 
 namespace nanocarbon {
 
-//! The formats a mesh is read from and written to.
-enum class MeshFormat { off, obj, ply, stl };
-
 //! \brief Reads an OFF, OBJ, PLY or STL file, text or binary, coordinates in double.
 //! \details The contents decide on the format; the extension only where they do not. Linear in the size of
 //! the file; counts that the file promises are checked against what is there and never allocated for. Windows

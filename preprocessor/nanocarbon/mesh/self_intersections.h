@@ -2,19 +2,23 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "nanocarbon/mesh/triangle_mesh.h"
 
 namespace nanocarbon {
 
-//! Two triangles of a mesh that meet elsewhere than in the vertices or the edge they share.
-using TrianglePair = std::array<std::uint32_t, 2>;
+//! Pairs of triangles of a mesh that meet elsewhere than in the vertices or the edge they share.
+struct SelfIntersections {
+  std::vector<std::array<std::uint32_t, 2>> pairs;  //!< first < second, sorted
+  bool complete = true;                             //!< false where the search was given up
+};
 
-//! \brief All pairs of triangles that intersect, first < second, sorted.
-//! \details Exact: decided by signs that are right whatever the rounding. Touching counts as intersecting.
-//! O(n log n) for surfaces, plus what is found.
-//! \param most stops after this many pairs
-std::vector<TrianglePair> self_intersections(const TriangleMesh& mesh, std::size_t most = 1'000'000);
+//! \brief Finds all pairs of triangles that intersect.
+//! \details Exact: decided by signs that are right whatever the rounding. Touching counts; triangles without
+//! area do not. O(n log n) for surfaces. Given up after a hundred thousand pairs found, or a thousand pairs
+//! tried for each triangle on average, which only a heap of overlapping triangles needs.
+SelfIntersections self_intersections(const TriangleMesh& mesh);
 
 }  // namespace nanocarbon

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/nesting.h"
 
 namespace nanocarbon {
 namespace {
@@ -52,14 +53,16 @@ std::size_t turn_outside(TriangleMesh& mesh, const MeshTopology& topology) {
     const auto& [a, b, c] = mesh.triangles[face];
     volume[p] += (mesh.points[a] - origin).dot(area_normal(mesh.points[a], mesh.points[b], mesh.points[c]));
   }
-  std::vector<bool> inside_out(topology.pieces, false);
+  const auto inside_out = [&](std::size_t p) {
+    return topology.piece[p].boundary_loops == 0 && topology.piece[p].orientable && volume[p] < 0.0;
+  };
+  // An enclosed piece goes with the outermost one around it.
+  const std::vector<std::uint32_t> outermost = outermost_around(mesh, topology);
   std::size_t turned = 0;
-  for (std::size_t p = 0; p < topology.pieces; ++p) {
-    inside_out[p] = topology.piece[p].boundary_loops == 0 && topology.piece[p].orientable && volume[p] < 0.0;
-    if (inside_out[p]) ++turned;
-  }
+  for (std::size_t p = 0; p < topology.pieces; ++p)
+    if (inside_out(outermost[p])) ++turned;
   for (FaceIndex face = 0; face < mesh.triangles.size(); ++face)
-    if (inside_out[topology.piece_of_face[face]]) turn(mesh.triangles[face]);
+    if (inside_out(outermost[topology.piece_of_face[face]])) turn(mesh.triangles[face]);
   return turned;
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace nanocarbon {
+
+//! The formats a mesh is read from and written to.
+enum class MeshFormat { off, obj, ply, stl };
+
+//! The format that a path's extension names, in upper or lower case, or nothing.
+std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path);
+
+}  // namespace nanocarbon

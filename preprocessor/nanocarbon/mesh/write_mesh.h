@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "nanocarbon/mesh/mesh_colours.h"
+#include "nanocarbon/mesh/triangle_mesh.h"
+
+namespace nanocarbon {
+
+struct MeshFileOptions {
+  bool text = false;  //!< PLY and STL as text; OFF and OBJ always are
+  const MeshColours* colours =
+      nullptr;  //!< for PLY (vertices and edges) and OFF (vertices); others have none
+};
+
+//! \brief Writes a mesh as OFF, OBJ, PLY or STL, whichever the path's extension says; whole or not at all.
+//! \details Coordinates read back to the same doubles, except from binary STL, which holds floats.
+//! \throw UserError (usage) for another extension, (unwritable) when the file cannot be written
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                const MeshFileOptions& options = {});
+
+}  // namespace nanocarbon
