@@ -1,8 +1,8 @@
 #pragma once
 
 //! \file
-//! \brief The places where LAMMPS's C++ interface has changed since 29Sep2021, each as one function that asks the
-//! headers which form they have.
+//! \brief The places where LAMMPS's C++ interface has changed since 29Sep2021, each as one function that asks
+//! the headers which form they have.
 
 #include "neigh_request.h"
 
@@ -27,7 +27,8 @@ void request_full_list(Neighbor& neighbor, Style* style, int instance, bool ghos
   }
 }
 
-//! Carries a fix's per-atom values from owners to ghost atoms, by its pack_forward_comm and unpack_forward_comm.
+//! Carries a fix's per-atom values from owners to ghost atoms, by its pack_forward_comm and
+//! unpack_forward_comm.
 template <typename Comm, typename Fix>
 void forward_comm_of_fix(Comm& comm, Fix* fix) {
   if constexpr (requires { comm.forward_comm(fix); })
@@ -45,7 +46,8 @@ void forward_comm_of_pair(Comm& comm, Pair* pair) {
     comm.forward_comm_pair(pair);
 }
 
-//! Adds a pair style's values on ghost atoms up at their owners, by its pack_reverse_comm and unpack_reverse_comm.
+//! Adds a pair style's values on ghost atoms up at their owners, by its pack_reverse_comm and
+//! unpack_reverse_comm.
 template <typename Comm, typename Pair>
 void reverse_comm_of_pair(Comm& comm, Pair* pair) {
   if constexpr (requires { comm.reverse_comm(pair); })

@@ -1,8 +1,6 @@
 #include "plugin/styles.h"
 
-#include <array>
-
-#include "fix.h"
+#include "fix_bond_topology.h"
 #include "lammps_version.h"
 #include "pair.h"
 
@@ -40,8 +38,10 @@ constexpr PluginStyle pair_style(const char* name, const char* info) {
 }  // namespace
 
 std::span<const PluginStyle> plugin_styles() {
-  // fix_style<Class>("name", "info") or pair_style<Class>("name", "info"), one a line
-  static constexpr std::array<PluginStyle, 0> table = {};
+  static constexpr PluginStyle table[] = {
+      fix_style<FixBondTopology>("bond/topology",
+                                 "fix bond/topology: bonds, rings and repelled atoms of sp2 carbon"),
+  };
   return table;
 }
 

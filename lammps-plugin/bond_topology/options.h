@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "lammps.h"
+#include "nanocarbon/molecule/bond_graph.h"
+#include "nanocarbon/molecule/surface_topology.h"
+
+namespace nanocarbon {
+
+//! The settings of one fix bond/topology; its documentation page says what each does.
+struct BondTopologyOptions {
+  int every = 0;
+  BondDistances distances;
+  TopologyOptions topology;
+  std::string file;  //!< empty: none
+  bool append = false;
+  bool halt = false;
+};
+
+//! \brief Reads the arguments of the fix command, from N on.
+//! \details Errors go through LAMMPS and name the keyword and its value.
+BondTopologyOptions read_options(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+//! "yes" or "no". Others are an error that names the keyword.
+bool read_yes_or_no(LAMMPS_NS::LAMMPS* lmp, const std::string& keyword, const std::string& value);
+
+}  // namespace nanocarbon

@@ -1,0 +1,112 @@
+#include "bond_topology/surface_watch.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+namespace nanocarbon {
+namespace {
+
+// Both ends of each bond.
+EmbeddedGraph graph_of(const WatchedAtoms& atoms) {
+  std::vector<BondEnd> ends;
+  ends.reserve(2 * atoms.bonds.size());
+  for (const BondEnd& bond : atoms.bonds) {
+    ends.push_back(bond);
+    ends.push_back({bond.neighbour, bond.atom, -bond.vector});
+  }
+  return embedded_graph(atoms.ids, atoms.elements, ends);
+}
+
+std::vector<BondedIds> bonded_pairs(const WatchedAtoms& atoms) {
+  std::vector<BondedIds> pairs;
+  pairs.reserve(atoms.bonds.size());
+  for (const BondEnd& bond : atoms.bonds) pairs.push_back({bond.atom, bond.neighbour});
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// The library's texts name atoms by index.
+std::string with_ids(const std::string& text, const std::vector<std::int64_t>& ids) {
+  static const std::string word = "atom ";
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const bool names_atom = text.compare(at, word.size(), word) == 0 && at + word.size() < text.size() &&
+                            std::isdigit(static_cast<unsigned char>(text[at + word.size()]));
+    if (!names_atom) {
+      result += text[at++];
+      continue;
+    }
+    std::size_t digits = 0;
+    const std::size_t index = std::stoul(text.substr(at + word.size()), &digits);
+    result.append("atom ID ").append(index < ids.size() ? std::to_string(ids[index]) : "unknown");
+    at += word.size() + digits;
+  }
+  return result;
+}
+
+// Of each atom of the start: its place among the atoms now, or none.
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+std::vector<std::size_t> places_now(const std::vector<std::int64_t>& start,
+                                    const std::vector<std::int64_t>& now) {
+  std::vector<std::size_t> places(start.size(), none);
+  for (std::size_t s = 0, n = 0; s < start.size() && n < now.size();) {
+    if (start[s] == now[n])
+      places[s++] = n++;
+    else
+      ++(start[s] < now[n] ? s : n);
+  }
+  return places;
+}
+
+void mark(std::vector<AtomState>& atoms, const std::vector<std::int64_t>& ids, std::int64_t id,
+          std::uint8_t state) {
+  const auto found = std::lower_bound(ids.begin(), ids.end(), id);
+  if (found != ids.end() && *found == id) atoms[found - ids.begin()].state = state;
+}
+
+}  // namespace
+
+WatchStart start_watch(WatchedAtoms atoms, const TopologyOptions& options) {
+  WatchStart start;
+  start.bonds = bonded_pairs(atoms);
+  start.topology = surface_topology(graph_of(atoms), options);
+  start.atoms = std::move(atoms);
+  return start;
+}
+
+WatchReport report(const WatchStart& start, const WatchedAtoms& now, const TopologyOptions& options) {
+  WatchReport result;
+  result.bonds = bonded_pairs(now);
+  result.changes = compare_bonds(start.bonds, result.bonds);
+  result.topology = surface_topology(graph_of(now), options);
+
+  const std::vector<std::size_t> places = places_now(start.atoms.ids, now.ids);
+  std::vector<std::uint32_t> pieces(places.size(), no_piece);
+  for (std::size_t a = 0; a < places.size(); ++a)
+    if (places[a] != none)
+      pieces[a] = result.topology.piece_of_atom[places[a]];
+    else
+      result.lost.push_back(start.atoms.ids[a]);
+  const std::vector<bool> repelled = repelled_atoms(start.topology.piece_of_atom, pieces);
+  for (std::size_t a = 0; a < places.size(); ++a)
+    if (repelled[a]) result.repelled.push_back(start.atoms.ids[a]);
+
+  const Judgement judgement =
+      judge(start.topology, result.topology, result.changes.none(), result.lost.size());
+  result.verdict = judgement.verdict;
+  result.reason = with_ids(judgement.reason, result.topology.problem ? now.ids : start.atoms.ids);
+
+  for (std::size_t a = 0; a < now.ids.size(); ++a)
+    result.atoms.push_back(
+        {AtomState::unchanged, result.topology.coordination[a], result.topology.smallest_ring[a]});
+  for (const auto* bonds : {&result.changes.broken, &result.changes.formed})
+    for (const BondedIds& bond : *bonds) {
+      mark(result.atoms, now.ids, bond.first, AtomState::rebonded);
+      mark(result.atoms, now.ids, bond.second, AtomState::rebonded);
+    }
+  for (const std::int64_t id : result.repelled) mark(result.atoms, now.ids, id, AtomState::repelled);
+  return result;
+}
+
+}  // namespace nanocarbon
