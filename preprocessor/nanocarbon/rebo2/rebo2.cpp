@@ -1,0 +1,130 @@
+#include "nanocarbon/rebo2/rebo2.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "nanocarbon/rebo2/general_evaluation.h"
+#include "nanocarbon/rebo2/periodic_copies.h"
+
+namespace nanocarbon {
+
+namespace {
+
+constexpr double skin = 0.4;  // Angstrom
+
+double largest_cutoff(const Rebo2Parameters& parameters) {
+  double largest = 0.0;
+  for (const PairParameters& pair : parameters.pairs) largest = std::max(largest, pair.cutoff_end);
+  return largest;
+}
+
+bool same_cell(const std::optional<Cell>& a, const Cell* b) {
+  if (!a || !b) return !a && !b;
+  return a->vectors == b->vectors && a->periodic == b->periodic;
+}
+
+}  // namespace
+
+struct Rebo2::State {
+  Rebo2Parameters parameters;
+  Rebo2Result result;
+  GeneralWorkspace general;
+
+  NearAtoms near;
+  std::vector<Vec3> listed_positions;
+  std::vector<Element> elements;  // own atoms and copies
+  std::optional<Cell> listed_cell;
+  std::size_t list_builds = 0;
+
+  std::vector<double> coordinates;
+  std::vector<double> forces;
+  std::vector<double> energies;
+  std::vector<Virial> virials;
+
+  bool list_is_good(std::span<const Vec3> positions, std::span<const Element> own, const Cell* cell) const {
+    if (list_builds == 0 || positions.size() != listed_positions.size() || !same_cell(listed_cell, cell))
+      return false;
+    if (!std::equal(own.begin(), own.end(), elements.begin())) return false;
+    constexpr double reach = 0.25 * skin * skin;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (!((positions[i] - listed_positions[i]).squaredNorm() <= reach)) return false;
+    return true;
+  }
+
+  void make_list(std::span<const Vec3> positions, std::span<const Element> own, const Cell* cell) {
+    near = find_near_atoms(positions, cell, largest_cutoff(parameters) + skin);
+    listed_positions.assign(positions.begin(), positions.end());
+    elements.assign(own.begin(), own.end());
+    for (const PeriodicCopy& copy : near.copies) elements.push_back(own[copy.of]);
+    listed_cell = cell ? std::optional<Cell>(*cell) : std::nullopt;
+    ++list_builds;
+  }
+
+  //! Gives the copies' forces and shares to the atoms that they are copies of.
+  void fold_copies(const Rebo2Options& options);
+  void take_results(const Rebo2Options& options);
+};
+
+void Rebo2::State::fold_copies(const Rebo2Options& options) {
+  for (std::size_t c = 0; c < near.copies.size(); ++c) {
+    const std::size_t from = near.own + c;
+    const std::size_t to = near.copies[c].of;
+    for (int d = 0; d < 3; ++d) forces[3 * to + d] += forces[3 * from + d];
+    if (options.atom_energies) energies[to] += energies[from];
+    if (options.atom_virials)
+      for (int d = 0; d < 6; ++d) virials[to][d] += virials[from][d];
+  }
+}
+
+void Rebo2::State::take_results(const Rebo2Options& options) {
+  result.virial.setZero();
+  for (std::size_t a = 0; a < coordinates.size(); a += 3)
+    result.virial += Eigen::Map<const Vec3>(&coordinates[a]) * Eigen::Map<const Vec3>(&forces[a]).transpose();
+  fold_copies(options);
+  result.forces.resize(near.own);
+  for (std::size_t i = 0; i < near.own; ++i) result.forces[i] = Eigen::Map<const Vec3>(&forces[3 * i]);
+  result.atom_energies.clear();
+  result.atom_virials.clear();
+  if (options.atom_energies) result.atom_energies.assign(energies.begin(), energies.begin() + near.own);
+  if (options.atom_virials)
+    for (std::size_t i = 0; i < near.own; ++i) {
+      const Virial& v = virials[i];
+      Mat3& m = result.atom_virials.emplace_back();
+      m << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
+    }
+}
+
+Rebo2::Rebo2(const Rebo2Parameters& parameters) : state_(std::make_unique<State>()) {
+  state_->parameters = parameters;
+}
+Rebo2::~Rebo2() = default;
+Rebo2::Rebo2(Rebo2&&) noexcept = default;
+Rebo2& Rebo2::operator=(Rebo2&&) noexcept = default;
+
+const Rebo2Result& Rebo2::evaluate(std::span<const Vec3> positions, std::span<const Element> elements,
+                                   const Cell* cell, const Rebo2Options& options) {
+  State& s = *state_;
+  if (!s.list_is_good(positions, elements, cell)) s.make_list(positions, elements, cell);
+  place_atoms(positions, cell, s.near, s.coordinates);
+  s.forces.assign(s.coordinates.size(), 0.0);
+  AtomShares shares;
+  if (options.atom_energies) {
+    s.energies.assign(s.elements.size(), 0.0);
+    shares.energies = s.energies.data();
+  }
+  if (options.atom_virials) {
+    s.virials.assign(s.elements.size(), Virial{});
+    shares.virials = s.virials.data();
+  }
+  const AtomsView atoms = {s.coordinates.data(), s.elements.data(), s.near.own,
+                           static_cast<std::uint32_t>(s.elements.size())};
+  s.result.parts = evaluate_general(atoms, s.near.pairs, {s.parameters, coordination_tables()}, s.general,
+                                    s.forces.data(), shares);
+  s.result.energy = s.result.parts.total();
+  s.take_results(options);
+  return s.result;
+}
+
+std::size_t Rebo2::list_builds() const { return state_->list_builds; }
+
+}  // namespace nanocarbon
