@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "build.h"
+#include "inspect.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/version.h"
 
@@ -14,9 +16,13 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("nanocarbon ") + nanocarbon::version);
   app.require_subcommand(1);
   app.footer("Each subcommand has its own --help. Exit codes: README.md.");
-  // Each subcommand's file registers itself here; its work is done by the callback that parse() runs.
+  // The work of a subcommand is done by its callback, which parse() runs.
+  nanocarbon::add_inspect(app);
+  nanocarbon::add_build(app);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& error) {
+    return error.get_exit_code();  // a subcommand that has said what there was to say
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(nanocarbon::Failure::usage);
   }

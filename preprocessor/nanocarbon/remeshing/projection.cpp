@@ -1,25 +1,17 @@
 #include "nanocarbon/remeshing/projection.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <nanoflann.hpp>
 #include <vector>
 
+#include "nanocarbon/mesh/nearest_point.h"
+
 namespace nanocarbon {
 namespace {
 
 constexpr unsigned max_nearest = 32;
-
-double clamped_ratio(double numerator, double denominator) {
-  return denominator > 0.0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0.0;
-}
-
-Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 ab = b - a;
-  return a + clamped_ratio((p - a).dot(ab), ab.squaredNorm()) * ab;
-}
 
 //! What nanoflann asks of a set of points.
 struct PointSet {
@@ -36,22 +28,6 @@ using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<do
                                                  VertexIndex>;
 
 }  // namespace
-
-Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, ap = p - a;
-  const Vec3 n = ab.cross(ac);
-  const double n2 = n.squaredNorm();
-  if (n2 > 0.0) {
-    // Barycentric coordinates of the foot on the triangle's plane.
-    const double v = ap.cross(ac).dot(n) / n2, w = ab.cross(ap).dot(n) / n2;
-    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) return a + v * ab + w * ac;
-  }
-  const std::array<Vec3, 3> feet = {nearest_on_segment(p, a, b), nearest_on_segment(p, b, c),
-                                    nearest_on_segment(p, c, a)};
-  return *std::min_element(feet.begin(), feet.end(), [&](const Vec3& x, const Vec3& y) {
-    return (p - x).squaredNorm() < (p - y).squaredNorm();
-  });
-}
 
 struct ProjectionMesh::Search {
   explicit Search(TriangleMesh m)

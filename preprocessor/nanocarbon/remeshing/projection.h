@@ -7,9 +7,6 @@
 
 namespace nanocarbon {
 
-//! The point of a triangle nearest to p, for any triangle, also one without area.
-Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
-
 //! \brief M_p: a copy of a mesh that points are projected to (section 4.5, Algorithm 6).
 //! \details A point goes to the nearest point of the triangles around the nearest vertices. "Orthogonal
 //! projection" to a triangle is the nearest point of the triangle: a foot outside of the triangle would not

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "nanocarbon/building/size_request.h"
+#include "nanocarbon/molecule/molecule.h"
+#include "nanocarbon/remeshing/thesis_recipe.h"
+
+namespace nanocarbon {
+
+//! How a surface becomes a molecule.
+enum class Recipe {
+  thesis,       //!< adaptive remeshing, then the dual
+  pecanha2013,  //!< its forerunners; see thesis_options.h
+  hauck2014,
+  hauck2015
+};
+
+struct BuildOptions {
+  SizeRequest size = AtomPerTriangle{};
+  Recipe recipe = Recipe::thesis;
+  ThesisOptions thesis;  //!< of the thesis and its forerunners
+  int threads = 1;
+  std::uint64_t seed = 1;
+  //! Called now and then with what is being done and how much of it, 0 to 1.
+  std::function<void(std::string_view stage, double fraction)> progress;
+};
+
+//! Wall-clock seconds of each stage.
+struct BuildSeconds {
+  double remeshing = 0.0;
+  double dual = 0.0;
+  double total = 0.0;
+};
+
+struct BuildResult {
+  SizedSurface surface;
+  TriangleMesh triangulation;  //!< Angstrom; the molecule is its dual
+  Molecule molecule;
+  std::optional<ThesisResult>
+      thesis;  //!< what the thesis's remeshing did; its mesh has moved to triangulation
+  BuildSeconds seconds;
+};
+
+//! \brief From a surface to a molecule of carbon atoms: scale, remesh, dual.
+//! \param surface a sound 2-manifold, oriented, mesh units (see load_surface())
+//! \throw UserError (size, unsuitable) as sized_surface(); (failed) where the molecule's topology is not the
+//! surface's
+BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options);
+
+}  // namespace nanocarbon

@@ -1,0 +1,210 @@
+#include "nanocarbon/building/build_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "nanocarbon/core/version.h"
+#include "nanocarbon/mesh/edge_table.h"
+#include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/nearest_point.h"
+#include "nanocarbon/molecule/bond_statistics.h"
+
+namespace nanocarbon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json topology_json(const TriangleMesh& mesh) {
+  const MeshTopology t = mesh_topology(mesh);
+  return {{"vertices", t.vertices},
+          {"faces", t.faces},
+          {"pieces", t.pieces},
+          {"boundary_loops", t.boundary_loops},
+          {"orientable", t.orientable},
+          {"euler_characteristic", t.euler_characteristic},
+          {"genus", t.genus}};
+}
+
+Json lengths_json(std::span<const double> lengths, const Interval& interval) {
+  const LengthStatistics s = length_statistics(lengths, interval);
+  const double count = std::max<double>(1.0, static_cast<double>(s.lengths.count));
+  return {{"count", s.lengths.count},
+          {"min", s.lengths.min},
+          {"mean", s.lengths.mean},
+          {"max", s.lengths.max},
+          {"standard_deviation", s.lengths.deviation},
+          {"interval", {interval.low, interval.high}},
+          {"fraction_short", static_cast<double>(s.below) / count},
+          {"fraction_long", static_cast<double>(s.above) / count},
+          {"fraction_outside", s.fraction_outside},
+          {"histogram", {{"from", interval.low}, {"to", interval.high}, {"counts", s.histogram}}}};
+}
+
+std::vector<double> edge_lengths_of(const TriangleMesh& mesh) {
+  const EdgeTable edges = edge_table(soup_of(mesh));
+  std::vector<double> lengths(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    lengths[e] = (mesh.points[edges.low[e]] - mesh.points[edges.high[e]]).norm();
+  return lengths;
+}
+
+Json rings_json(const Rings& rings) {
+  std::map<std::size_t, std::size_t> by_size;
+  for (std::size_t r = 0; r < rings.size(); ++r) ++by_size[rings[r].size()];
+  Json json = Json::object();
+  for (const auto& [size, count] : by_size) json[std::to_string(size)] = count;
+  return json;
+}
+
+std::size_t rings_outside_5_to_7(const Rings& rings) {
+  std::size_t outside = 0;
+  for (std::size_t r = 0; r < rings.size(); ++r) outside += rings[r].size() < 5 || rings[r].size() > 7;
+  return outside;
+}
+
+Json distances_json(std::span<const Vec3> from, const NearestPoint& to) {
+  double sum = 0.0, sum_of_squares = 0.0, largest = 0.0;
+  for (const SurfacePoint& p : to.nearest(from)) {
+    sum += p.distance;
+    sum_of_squares += p.distance * p.distance;
+    largest = std::max(largest, p.distance);
+  }
+  const double count = std::max<double>(1.0, static_cast<double>(from.size()));
+  return {{"mean", sum / count}, {"rms", std::sqrt(sum_of_squares / count)}, {"max", largest}};
+}
+
+const char* name_of(Recipe recipe) {
+  switch (recipe) {
+    case Recipe::thesis:
+      return "thesis";
+    case Recipe::pecanha2013:
+      return "pecanha2013";
+    case Recipe::hauck2014:
+      return "hauck2014";
+    case Recipe::hauck2015:
+      return "hauck2015";
+  }
+  return "";
+}
+
+Json thesis_json(const ThesisResult& r) {
+  Json history = Json::array();
+  for (const EdgeCounts& c : r.history) history.push_back({c.edges, c.too_short, c.too_long});
+  return {{"iterations", r.iterations},
+          {"stopped", to_string(r.stop)},
+          {"short_edges", r.edges.too_short},
+          {"long_edges", r.edges.too_long},
+          {"steps",
+           {{"collapses", r.stellar.collapses},
+            {"splits", r.stellar.splits},
+            {"flips", r.valence.flips},
+            {"low_pass_iterations", r.low_pass_iterations},
+            {"local_iterations", r.local_iterations},
+            {"local_optimisations", r.local.minimised},
+            {"post_processed", r.post_processing.minimised},
+            {"projection_replacements", r.projection_replacements}}},
+          {"seconds",
+           {{"stellar", r.seconds.stellar},
+            {"valence", r.seconds.valence},
+            {"low_pass", r.seconds.low_pass},
+            {"local", r.seconds.local},
+            {"projection", r.seconds.projection},
+            {"post_processing", r.seconds.post_processing},
+            {"total", r.seconds.total}}},
+          {"history", {{"columns", {"edges", "short", "long"}}, {"rows", std::move(history)}}}};
+}
+
+}  // namespace
+
+Json build_report(const BuildResult& result, const BuildOptions& options, const ReportContext& context) {
+  const Molecule& molecule = result.molecule;
+  const MeshTopology topology = mesh_topology(result.triangulation);
+  const Interval bonds{options.thesis.min_bond, options.thesis.max_bond};
+  const Interval edges{std::sqrt(3.0) * bonds.low, std::sqrt(3.0) * bonds.high};
+  const Spread angles = spread(bond_angles(molecule));
+
+  Json report;
+  report["nanocarbon"] = version;
+  report["command"] = context.command;
+  report["input"] = {{"file", context.input}, {"repairs", context.repairs}, {"scale", result.surface.scale}};
+  report["input"].update(topology_json(result.surface.mesh));
+  report["options"] = {{"recipe", name_of(options.recipe)},
+                       {"min_bond", options.thesis.min_bond},
+                       {"max_bond", options.thesis.max_bond},
+                       {"iterations", options.thesis.iterations},
+                       {"rings", options.thesis.rings},
+                       {"projection_interval", options.thesis.projection_interval},
+                       {"local_threshold", options.thesis.local_threshold},
+                       {"atoms_aimed_at", result.surface.atoms},
+                       {"threads", options.threads},
+                       {"seed", options.seed}};
+  report["molecule"] = {{"atoms", molecule.size()},
+                        {"bonds", molecule.bonds.size()},
+                        {"rings", molecule.rings.size()},
+                        {"rings_by_size", rings_json(molecule.rings)},
+                        {"rings_outside_5_to_7", rings_outside_5_to_7(molecule.rings)},
+                        {"pieces", topology.pieces},
+                        {"euler_characteristic", topology.euler_characteristic},
+                        {"genus", topology.genus},
+                        {"boundary_loops", topology.boundary_loops}};
+  report["bond_lengths"] = lengths_json(bond_lengths(molecule), bonds);
+  report["bond_angles"] = {{"mean", angles.mean},
+                           {"standard_deviation", angles.deviation},
+                           {"min", angles.min},
+                           {"max", angles.max}};
+  report["triangulation_edges"] = lengths_json(edge_lengths_of(result.triangulation), edges);
+  report["distance"] = {
+      {"atoms_to_surface", distances_json(molecule.positions, NearestPoint(result.surface.mesh))},
+      {"surface_to_triangulation",
+       distances_json(result.surface.mesh.points, NearestPoint(result.triangulation))}};
+  if (result.thesis) report["remeshing"] = thesis_json(*result.thesis);
+  report["seconds"] = {{"remeshing", result.seconds.remeshing},
+                       {"dual", result.seconds.dual},
+                       {"total", result.seconds.total}};
+  return report;
+}
+
+std::string report_table(const Json& report) {
+  std::string table;
+  const auto line = [&](std::string_view name, const std::string& value) {
+    table += fmt::format("  {:<24}{}\n", name, value);
+  };
+  const Json& m = report["molecule"];
+  std::string rings;
+  for (const auto& [size, count] : m["rings_by_size"].items())
+    rings += fmt::format("{}{}: {}", rings.empty() ? "" : ", ", size, count.get<std::size_t>());
+  line("atoms, bonds", fmt::format("{}, {}", m["atoms"].get<std::size_t>(), m["bonds"].get<std::size_t>()));
+  line("rings by size", rings);
+  line("topology",
+       fmt::format("{} piece(s), genus {}, Euler characteristic {}, {} boundary loop(s), as the input",
+                   m["pieces"].get<std::size_t>(), m["genus"].get<std::int64_t>(),
+                   m["euler_characteristic"].get<std::int64_t>(), m["boundary_loops"].get<std::size_t>()));
+  const auto lengths = [&](const char* key) {
+    const Json& l = report[key];
+    return fmt::format("{:.3f} to {:.3f}, mean {:.4f}, deviation {:.4f}; {:.2f}% short, {:.2f}% long",
+                       l["min"].get<double>(), l["max"].get<double>(), l["mean"].get<double>(),
+                       l["standard_deviation"].get<double>(), 100 * l["fraction_short"].get<double>(),
+                       100 * l["fraction_long"].get<double>());
+  };
+  line("bonds, A", lengths("bond_lengths"));
+  line("triangulation edges, A", lengths("triangulation_edges"));
+  line("bond angles, degrees",
+       fmt::format("mean {:.2f}, deviation {:.2f}", report["bond_angles"]["mean"].get<double>(),
+                   report["bond_angles"]["standard_deviation"].get<double>()));
+  const Json& d = report["distance"]["atoms_to_surface"];
+  line("distance to surface, A", fmt::format("mean {:.3f}, rms {:.3f}, max {:.3f}", d["mean"].get<double>(),
+                                             d["rms"].get<double>(), d["max"].get<double>()));
+  if (report.contains("remeshing")) {
+    const Json& r = report["remeshing"];
+    line("remeshing",
+         fmt::format("{} iterations, {}", r["iterations"].get<unsigned>(), r["stopped"].get<std::string>()));
+  }
+  line("seconds", fmt::format("{:.2f}", report["seconds"]["total"].get<double>()));
+  return table;
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,63 @@
+#include "nanocarbon/building/size_request.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/measures.h"
+
+namespace nanocarbon {
+namespace {
+
+// The dodecahedron C20 is the smallest closed cage of pentagons and hexagons.
+constexpr std::size_t smallest_molecule = 20;
+
+struct ScaleOf {
+  const TriangleMesh& surface;
+  double surface_area;     // square mesh units
+  double area_of_an_atom;  // square Angstrom
+
+  double for_atoms(std::size_t atoms) const {
+    return std::sqrt(static_cast<double>(atoms) * area_of_an_atom / surface_area);
+  }
+  double operator()(AtomPerTriangle) const { return for_atoms(surface.triangles.size()); }
+  double operator()(AtomCount request) const { return for_atoms(request.atoms); }
+  double operator()(LongestSide request) const {
+    return request.length / bounding_box(surface.points).longest_side();
+  }
+  double operator()(UnitScale request) const { return request.scale; }
+};
+
+}  // namespace
+
+double area_per_atom(double bond_length) { return 0.75 * std::sqrt(3.0) * bond_length * bond_length; }
+
+SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& request, double bond_length) {
+  const double surface_area = area(surface);
+  if (!(surface_area > 0.0) || !std::isfinite(surface_area))
+    throw UserError(Failure::unsuitable, "the surface has no area: all its triangles are degenerate");
+  const ScaleOf scale_of{surface, surface_area, area_per_atom(bond_length)};
+
+  SizedSurface sized{surface, std::visit(scale_of, request), 0};
+  const double atoms = surface_area * sized.scale * sized.scale / scale_of.area_of_an_atom;
+  if (!(atoms < 4e9))
+    throw UserError(
+        Failure::size,
+        fmt::format("the size asked for needs about {:.3g} atoms, more than this program can number; "
+                    "ask for less with --atoms, --length or --scale",
+                    atoms));
+  sized.atoms = static_cast<std::size_t>(std::llround(atoms));
+  if (sized.atoms < smallest_molecule)
+    throw UserError(
+        Failure::size,
+        fmt::format("the size asked for leaves room for {} atoms, and no cage has fewer than {}; "
+                    "ask for more with --atoms N, --length {:.3g} or --scale {:.3g}",
+                    sized.atoms, smallest_molecule,
+                    bounding_box(surface.points).longest_side() * scale_of.for_atoms(smallest_molecule),
+                    scale_of.for_atoms(smallest_molecule)));
+  for (Vec3& point : sized.mesh.points) point *= sized.scale;
+  return sized;
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <variant>
+
+#include "nanocarbon/mesh/triangle_mesh.h"
+
+namespace nanocarbon {
+
+//! \name How large a molecule is asked for. Exactly one of these.
+//! @{
+struct AtomPerTriangle {};  //!< an atom for each triangle of the surface, as the thesis
+struct AtomCount {
+  std::size_t atoms;
+};
+struct LongestSide {
+  double length;  //!< of the bounding box, Angstrom
+};
+struct UnitScale {
+  double scale;  //!< Angstrom for each mesh unit
+};
+//! @}
+using SizeRequest = std::variant<AtomPerTriangle, AtomCount, LongestSide, UnitScale>;
+
+//! A surface in Angstrom, and about how many atoms it will carry.
+struct SizedSurface {
+  TriangleMesh mesh;   //!< Angstrom
+  double scale = 1.0;  //!< Angstrom for each mesh unit
+  std::size_t atoms = 0;
+};
+
+//! Area of an atom's share of a flat sheet of hexagons with the given bond length: 3 sqrt(3) / 4 of its
+//! square.
+double area_per_atom(double bond_length);
+
+//! \brief Scales a surface to the size asked for.
+//! \param surface mesh units
+//! \param bond_length mean bond that the atoms will have, Angstrom
+//! \throw UserError (unsuitable) for a surface without area; (size) for one that would carry fewer than 20
+//! atoms, saying which number would do
+SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& request, double bond_length);
+
+}  // namespace nanocarbon

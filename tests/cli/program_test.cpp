@@ -1,0 +1,172 @@
+// Runs the program as a user does: exit codes, messages, files.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace nanocarbon {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct Outcome {
+  int exit_code;
+  std::string out;
+  std::string err;
+};
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder = fs::path(testing::TempDir()) / (std::string("nanocarbon_program_") + test->name());
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  Outcome run(const std::string& arguments) const {
+    const fs::path out = folder / ".out", err = folder / ".err";
+    const std::string line = std::string(NANOCARBON_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" +
+                             err.string() + " </dev/null";
+    const int status = std::system(line.c_str());
+    const Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(err)};
+    fs::remove(out);
+    fs::remove(err);
+    return outcome;
+  }
+
+  static std::string contents(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name, std::ios::binary) << text;
+    return (folder / name).string();
+  }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  // An octahedron: 6 vertices, 8 faces.
+  std::string octahedron() const {
+    return file("octahedron.off",
+                "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
+                "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n");
+  }
+
+  fs::path folder;
+};
+
+TEST_F(Program, HelpAndVersionSucceed) {
+  EXPECT_EQ(run("--help").exit_code, 0);
+  EXPECT_EQ(run("--version").exit_code, 0);
+  for (const std::string subcommand : {"inspect", "build"}) {
+    const Outcome help = run(subcommand + " --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_THAT(help.out, HasSubstr("Examples:"));
+  }
+}
+
+TEST_F(Program, EachKindOfFailureHasItsExitCodeAndLeavesNoFile) {
+  const std::string sound = octahedron();
+  const std::string truncated = file("truncated.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n");
+  const std::string moebius_edge =
+      file("three.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  const auto build = [&](const std::string& rest) {
+    return run("build " + rest + " -o " + path("out.data"));
+  };
+  EXPECT_EQ(run("").exit_code, 2);
+  EXPECT_EQ(run("frobnicate").exit_code, 2);
+  EXPECT_EQ(build(sound + " --atoms 100 --length 20").exit_code, 2);
+  EXPECT_EQ(build(sound + " --atoms none").exit_code, 2);
+  EXPECT_EQ(build(sound + " --atoms 100 --min-bond 2 --max-bond 1").exit_code, 2);
+  EXPECT_EQ(build(path("missing.off")).exit_code, 3);
+  EXPECT_EQ(build(folder.string()).exit_code, 3);
+  EXPECT_EQ(build(truncated).exit_code, 4);
+  EXPECT_EQ(build(moebius_edge).exit_code, 5);
+  EXPECT_EQ(build(sound).exit_code, 6);
+  EXPECT_EQ(build(sound + " --atoms 1000000000000000").exit_code, 6);
+  EXPECT_EQ(run("build " + sound + " --atoms 100 -o " + path("none/out.data")).exit_code, 7);
+  EXPECT_FALSE(fs::exists(path("out.data")));
+}
+
+TEST_F(Program, MessagesNameTheFileAndThePlace) {
+  const std::string bad = file("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n");
+  const Outcome outcome = run("build " + bad + " -o " + path("out.data"));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("bad.off:5"));
+}
+
+TEST_F(Program, BuildsAClosedCageWithAReportThatObeysEuler) {
+  const Outcome outcome =
+      run("build " + octahedron() + " --atoms 400 --projection-interval 0 -o " + path("out.data") +
+          " --xyz " + path("out.xyz") + " --report " + path("out.json"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(contents(path("out.json")));
+  const auto& molecule = report["molecule"];
+  const long atoms = molecule["atoms"], bonds = molecule["bonds"], rings = molecule["rings"];
+  EXPECT_EQ(atoms - bonds + rings, 2);
+  EXPECT_EQ(2 * bonds, 3 * atoms);
+  EXPECT_EQ(molecule["genus"], 0);
+  EXPECT_NEAR(static_cast<double>(atoms), 400, 40);
+  long sides = 0, counted = 0;
+  for (const auto& [size, count] : molecule["rings_by_size"].items()) {
+    counted += count.get<long>();
+    sides += std::stol(size) * count.get<long>();
+  }
+  EXPECT_EQ(counted, rings);
+  EXPECT_EQ(sides, 2 * bonds);
+  EXPECT_THAT(contents(path("out.data")), HasSubstr(std::to_string(atoms) + " atoms"));
+  EXPECT_TRUE(fs::exists(path("out.xyz")));
+}
+
+TEST_F(Program, SameInputAndSeedGiveTheSameBytes) {
+  const std::string mesh = octahedron();
+  for (const std::string name : {"a", "b"})
+    ASSERT_EQ(run("build " + mesh + " --atoms 300 --seed 7 --quiet -o " + path("out.data") + " --xyz " +
+                  path(name + ".xyz"))
+                  .exit_code,
+              0);
+  const auto body = [&](const std::string& name) {
+    const std::string text = contents(path(name));
+    return text.substr(text.find('\n', text.find('\n') + 1));  // the second line holds the command
+  };
+  EXPECT_EQ(body("a.xyz"), body("b.xyz"));
+  EXPECT_GT(body("a.xyz").size(), 1000u);
+}
+
+TEST_F(Program, QuietPrintsNothing) {
+  const Outcome outcome = run("build " + octahedron() + " --atoms 300 --quiet -o " + path("out.data"));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST_F(Program, InspectTellsWhatAMeshIs) {
+  const auto json = nlohmann::json::parse(run("inspect --json " + octahedron()).out);
+  EXPECT_EQ(json["vertices"], 6);
+  EXPECT_EQ(json["faces"], 8);
+  EXPECT_EQ(json["euler_characteristic"], 2);
+  EXPECT_EQ(json["genus"], 0);
+  EXPECT_EQ(json["usable"], true);
+}
+
+TEST_F(Program, InspectNamesEveryReasonAgainstAMesh) {
+  // Three faces at edge 0-1, and a face that repeats a vertex (which alone would be dropped).
+  const std::string mesh =
+      file("bad.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n3 2 2 3\n");
+  const Outcome outcome = run("inspect --json " + mesh);
+  EXPECT_EQ(outcome.exit_code, 5);
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["usable"], false);
+  ASSERT_FALSE(json["reasons"].empty());
+  EXPECT_EQ(json["reasons"][0]["problem"], "non_manifold_edge");
+}
+
+}  // namespace
+}  // namespace nanocarbon
