@@ -8,6 +8,13 @@
 
 namespace nanocarbon {
 
+bool repeats_a_vertex(std::span<const VertexIndex> face) {
+  if (face.size() == 3) return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+  std::vector<VertexIndex> sorted(face.begin(), face.end());
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
 std::size_t drop_faces_repeating_a_vertex(PolygonSoup& soup) {
   // Repeated corners are overwritten first, and faces shrink in place.
   std::vector<std::uint32_t> size(soup.faces());

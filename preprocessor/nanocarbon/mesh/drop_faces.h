@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "nanocarbon/mesh/polygon_soup.h"
 
 namespace nanocarbon {
+
+//! Whether a face passes through a vertex more than once.
+bool repeats_a_vertex(std::span<const VertexIndex> face);
 
 //! \brief Takes corners out that repeat the corner before them, and drops faces that have fewer than three
 //! left. \return how many faces were dropped. Faces that pass through a vertex twice at different places

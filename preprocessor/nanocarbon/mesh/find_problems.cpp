@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "nanocarbon/mesh/describe.h"
+#include "nanocarbon/mesh/drop_faces.h"
 #include "nanocarbon/mesh/join_points.h"
 #include "nanocarbon/mesh/same_faces.h"
 #include "nanocarbon/mesh/self_intersections.h"
@@ -44,12 +45,6 @@ std::vector<FaceIndex> faces_at(const EdgeTable& edges, std::size_t edge) {
 std::vector<VertexIndex> vertices_of(std::span<const VertexIndex> face) {
   return {face.begin(),
           face.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(face.size(), most_places))};
-}
-
-bool repeats_a_vertex(std::span<const VertexIndex> face) {
-  std::vector<VertexIndex> sorted(face.begin(), face.end());
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
 // A height below 1e-10 of the longest side is lost in the rounding of coordinates far from the origin.

@@ -65,6 +65,7 @@ PlyEncoding read_format(TextScanner& scanner) {
 
 // Where the header ends. A binary body may hold any bytes, so that the line end is the one of the first line.
 std::string_view header_text(std::string_view contents, const std::string& file) {
+  if (!contents.starts_with("ply")) fail_at_line(file, 1, "a PLY file begins with ply");
   const std::size_t first_end = contents.find_first_of("\r\n");
   const bool lone_cr =
       first_end != contents.npos && contents[first_end] == '\r' && contents.substr(first_end, 2) != "\r\n";
@@ -116,7 +117,7 @@ PlyHeader read_ply_header(std::string_view contents, const std::string& file) {
   const std::string_view text = header_text(contents, file);
   TextScanner scanner(text, file, {'\0', false});
   scanner.next_line();
-  if (scanner.word() != "ply") scanner.fail("a PLY file begins with ply");
+  if (scanner.word() != "ply" || !scanner.at_line_end()) scanner.fail("a PLY file begins with ply");
   PlyHeader header{PlyEncoding::text, {}, text.size(), 0};
   bool has_format = false;
   while (scanner.next_line()) {

@@ -30,6 +30,7 @@ class ObjReader {
       else if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end())
         ++unknown_[quoted(keyword)];
     }
+    if (soup_.points.empty()) scanner_.fail("the file has no vertices (lines 'v x y z')", "give a mesh file");
     check_largest();
     tell_unknown();
     return std::move(soup_);

@@ -15,12 +15,6 @@
 namespace nanocarbon {
 namespace {
 
-// Whether a soup can be triangulated at all.
-bool has_simple_faces(const MeshDiagnosis& diagnosis) {
-  return !diagnosis.find(MeshProblem::repeated_vertex) && !diagnosis.find(MeshProblem::too_many_corners) &&
-         !diagnosis.find(MeshProblem::no_faces);
-}
-
 void wind(TriangleMesh& mesh, std::vector<std::string>& repairs) {
   const PolygonSoup soup = soup_of(mesh);
   const EdgeTable edges = edge_table(soup);
@@ -47,8 +41,10 @@ RepairedSurface repair_surface(PolygonSoup soup) {
   if (const std::size_t dropped = drop_unused_points(soup); dropped > 0)
     repairs.push_back(fmt::format("dropped {} vertices that no face uses", dropped));
 
-  result.diagnosis = diagnose(soup);
-  if (!has_simple_faces(result.diagnosis)) return result;
+  if (!can_be_triangulated(soup)) {
+    result.diagnosis = diagnose(soup);
+    return result;
+  }
   Triangulated triangulated = triangulate(soup);
   result.mesh = std::move(triangulated.mesh);
   if (triangulated.polygons > 0)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nanocarbon/mesh/cut_ears.h"
+#include "nanocarbon/mesh/drop_faces.h"
 #include "nanocarbon/mesh/edge_table.h"
 
 namespace nanocarbon {
@@ -44,6 +45,12 @@ void add_fan_around_centre(std::span<const VertexIndex> face, TriangleMesh& mesh
 }
 
 }  // namespace
+
+bool can_be_triangulated(const PolygonSoup& soup) {
+  for (std::size_t face = 0; face < soup.faces(); ++face)
+    if (soup.face(face).size() > most_corners || repeats_a_vertex(soup.face(face))) return false;
+  return soup.faces() > 0;
+}
 
 Triangulated triangulate(const PolygonSoup& soup) {
   Triangulated result;

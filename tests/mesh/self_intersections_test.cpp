@@ -1,0 +1,107 @@
+#include "nanocarbon/mesh/self_intersections.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "nanocarbon/mesh/triangle_intersection.h"
+#include "nanocarbon/mesh/triangulate.h"
+#include "support/small_meshes.h"
+
+namespace nanocarbon {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+// Two triangles without a common vertex.
+bool meet(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
+  TriangleMesh mesh{{s[0], s[1], s[2], t[0], t[1], t[2]}, {{0, 1, 2}, {3, 4, 5}}};
+  const bool found = !self_intersections(mesh).pairs.empty();
+  std::swap(mesh.triangles[0], mesh.triangles[1]);
+  EXPECT_EQ(!self_intersections(mesh).pairs.empty(), found) << "the order matters";
+  return found;
+}
+
+const std::array<Vec3, 3> flat = {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
+
+TEST(SelfIntersections, TrianglesWithoutCommonVertices) {
+  EXPECT_TRUE(meet(flat, {Vec3(1, 1, -1), Vec3(1, 1, 1), Vec3(2, 2, 1)}));      // pierced
+  EXPECT_TRUE(meet(flat, {Vec3(-1, 1, -1), Vec3(-1, 1, 1), Vec3(5, 1, 0)}));    // through two sides
+  EXPECT_TRUE(meet(flat, {Vec3(1, 1, 0), Vec3(1, 1, 1), Vec3(2, 1, 1)}));       // touched by a vertex
+  EXPECT_TRUE(meet(flat, {Vec3(2, -1, 0), Vec3(2, 1, 0), Vec3(2, 0, 1)}));      // touched by a side
+  EXPECT_TRUE(meet(flat, {Vec3(1, 1, 0), Vec3(9, 1, 0), Vec3(1, 9, 0)}));       // overlapping in a plane
+  EXPECT_TRUE(meet(flat, {Vec3(1, 1, 0), Vec3(1.5, 1, 0), Vec3(1, 1.5, 0)}));   // one within the other
+  EXPECT_FALSE(meet(flat, {Vec3(1, 1, 1e-12), Vec3(1, 2, 1), Vec3(2, 1, 1)}));  // just above
+  EXPECT_FALSE(meet(flat, {Vec3(3, 3, 0), Vec3(9, 3, 0), Vec3(3, 9, 0)}));      // beside it in its plane
+  EXPECT_FALSE(meet(flat, {Vec3(3, 3, -1), Vec3(3, 3, 1), Vec3(4, 4, 1)}));     // through the plane beside it
+  EXPECT_FALSE(meet(flat, {Vec3(-1, -1, -1), Vec3(-1, -1, 1), Vec3(-2, 5, 0)}));
+}
+
+TEST(SelfIntersections, WhatTheyShareDoesNotCount) {
+  EXPECT_THAT(self_intersections(test::tetrahedron()).pairs, IsEmpty());
+  EXPECT_THAT(self_intersections(triangulate(test::cube()).mesh).pairs, IsEmpty());
+  EXPECT_THAT(self_intersections(triangulate(test::torus(24, 12)).mesh).pairs, IsEmpty());
+}
+
+TEST(SelfIntersections, BeyondASharedVertex) {
+  // Both have vertex 0; the second goes through the first's far side, or only away from it.
+  TriangleMesh mesh{{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(3, 3, -1), Vec3(3, 3, 1)},
+                    {{0, 1, 2}, {0, 3, 4}}};
+  EXPECT_THAT(self_intersections(mesh).pairs, SizeIs(1));
+  mesh.points[3] = Vec3(-3, -3, -1);
+  mesh.points[4] = Vec3(-3, -3, 1);
+  EXPECT_THAT(self_intersections(mesh).pairs, IsEmpty());
+  mesh.points[3] = Vec3(1, 0.5, 0);  // in the same plane, in the same corner
+  mesh.points[4] = Vec3(0.5, 1, 0);
+  EXPECT_THAT(self_intersections(mesh).pairs, SizeIs(1));
+  mesh.points[3] = Vec3(-1, 0.5, 0);  // in the same plane, elsewhere around the vertex
+  mesh.points[4] = Vec3(-1, -1, 0);
+  EXPECT_THAT(self_intersections(mesh).pairs, IsEmpty());
+}
+
+TEST(SelfIntersections, FoldedFlatAlongASharedEdge) {
+  TriangleMesh mesh{{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(1, 2, 0), Vec3(1, 1, 0)}, {{0, 1, 2}, {1, 0, 3}}};
+  EXPECT_THAT(self_intersections(mesh).pairs, SizeIs(1));
+  mesh.points[3] = Vec3(1, -1, 0);
+  EXPECT_THAT(self_intersections(mesh).pairs, IsEmpty());
+  mesh.points[3] = Vec3(1, 1, 1e-9);
+  EXPECT_THAT(self_intersections(mesh).pairs, IsEmpty());
+}
+
+TEST(SelfIntersections, ATwoWayTorusThatIsThickerThanItsHoleMeetsItself) {
+  EXPECT_THAT(self_intersections(triangulate(test::torus(24, 12, 3.0, 2.9)).mesh).pairs, IsEmpty());
+  EXPECT_FALSE(self_intersections(triangulate(test::torus(24, 12, 3.0, 3.3)).mesh).pairs.empty());
+}
+
+TEST(SelfIntersections, TheTreeFindsWhatTryingAllPairsFinds) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> place(0, 1), offset(-0.1, 0.1);
+  TriangleMesh mesh;
+  for (VertexIndex t = 0; t < 400; ++t) {
+    const Vec3 centre(place(random), place(random), place(random));
+    for (int i = 0; i < 3; ++i)
+      mesh.points.push_back(centre + Vec3(offset(random), offset(random), offset(random)));
+    mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  std::vector<std::array<std::uint32_t, 2>> expected;
+  for (std::uint32_t i = 0; i < 400; ++i)
+    for (std::uint32_t j = i + 1; j < 400; ++j)
+      if (intersect(mesh, mesh.triangles[i], mesh.triangles[j])) expected.push_back({i, j});
+  EXPECT_GT(expected.size(), 20u);
+  EXPECT_EQ(self_intersections(mesh).pairs, expected);
+}
+
+TEST(SelfIntersections, AHeapOfTrianglesAtOnePlaceIsGivenUpAndSaidSo) {
+  TriangleMesh mesh;
+  for (VertexIndex t = 0; t < 3000; ++t) {
+    const double angle = 0.001 * t;
+    mesh.points.insert(mesh.points.end(), {Vec3(std::cos(angle), std::sin(angle), -1),
+                                           Vec3(-std::cos(angle), -std::sin(angle), -1), Vec3(0, 0, 1)});
+    mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  EXPECT_FALSE(self_intersections(mesh).complete);
+}
+
+}  // namespace
+}  // namespace nanocarbon
