@@ -1,0 +1,221 @@
+#include "nanocarbon/relaxation/bond_switching.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nanocarbon/relaxation/switching_trial.h"
+#include "nanocarbon/relaxation/thread_team.h"
+
+namespace nanocarbon {
+
+namespace {
+
+constexpr std::size_t kBatch = 8;  // trials on one state; fixed, so that threads do not change the outcome
+
+// A hundredth more or less than the target costs about k T in small molecules, and no less than 1/N in large
+// ones.
+double default_penalty(double target) { return std::max(1 / target, 5000 / (target * target)); }
+
+// Rings that are no hexagons, with constant-time updates and an order that depends only on the history.
+class DefectList {
+ public:
+  explicit DefectList(const TrivalentNetwork& network) {
+    for (RingIndex r = 0; r < network.rings.size(); ++r) update(network, r);
+  }
+  void update(const TrivalentNetwork& network, RingIndex ring) {
+    if (place_.size() <= ring) place_.resize(network.rings.size(), none);
+    const TrivalentRing& r = network.rings[ring];
+    const bool defect = r.size != 0 && r.size != 6 && !r.border;
+    if (defect == (place_[ring] != none)) return;
+    if (defect) {
+      place_[ring] = list_.size();
+      list_.push_back(ring);
+    } else {
+      list_[place_[ring]] = list_.back();
+      place_[list_.back()] = place_[ring];
+      list_.pop_back();
+      place_[ring] = none;
+    }
+  }
+  const std::vector<RingIndex>& list() const { return list_; }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<RingIndex> list_;
+  std::vector<std::size_t> place_;
+};
+
+class Annealer {
+ public:
+  Annealer(SwitchingState& state, const TetherSurface& surface, const BondSwitchingOptions& options)
+      : state_(state),
+        surface_(surface),
+        options_(options),
+        team_(std::max(1u, options.threads)),
+        workspaces_(team_.size()),
+        defects_(state.network) {
+    target_ = options.target_atoms ? options.target_atoms : state.network.atoms.size();
+    atoms_ = state.network.atoms.size();
+    penalty_ =
+        options.count_penalty >= 0 ? options.count_penalty : default_penalty(static_cast<double>(target_));
+    state_.tether = options.tether;
+  }
+
+  BondSwitchingResult run() {
+    result_.energy_before = relax_state(state_, surface_, 200, 0.02) / static_cast<double>(atoms_);
+    terms_.chemical_potential = result_.energy_before;
+    double best_score = score(result_.energy_before * static_cast<double>(atoms_));
+    SwitchingState best = state_;
+    result_.energy = result_.energy_before;
+    for (int block = 0; block < options_.blocks && !defects_.list().empty(); ++block) {
+      const double progress = options_.blocks > 1 ? static_cast<double>(block) / (options_.blocks - 1) : 1;
+      terms_.temperature = options_.hot * std::pow(options_.cold / options_.hot, progress);
+      run_block();
+      compact_state();
+      const double energy = relax_state(state_, surface_, 150, 0.02);
+      terms_.chemical_potential = energy / static_cast<double>(atoms_);
+      if (options_.progress)
+        options_.progress(block, terms_.chemical_potential, atoms_, defects_.list().size());
+      if (score(energy) < best_score) {
+        best_score = score(energy);
+        best = state_;
+        result_.energy = terms_.chemical_potential;
+      }
+    }
+    state_ = std::move(best);
+    result_.defects = DefectList(state_.network).list().size();
+    return result_;
+  }
+
+ private:
+  // Comparable between atom counts: energy over that of as many atoms at the mean energy of the target count.
+  double score(double energy) const {
+    const double excess = energy / static_cast<double>(atoms_) * static_cast<double>(target_);
+    return excess + penalty_ * above() * above();
+  }
+  double above() const { return static_cast<double>(atoms_) - static_cast<double>(target_); }
+
+  void run_block() {
+    const auto trials =
+        static_cast<std::size_t>(options_.trials_per_defect * static_cast<double>(defects_.list().size()));
+    std::size_t since_relaxation = 0;
+    const std::size_t relax_every = std::max<std::size_t>(40, atoms_ / 50);
+    for (std::size_t done = 0; done < trials && !defects_.list().empty(); done += kBatch) {
+      run_batch();
+      for (const Trial& trial : batch_) {
+        if (!trial.accepted || overlaps(trial)) continue;
+        commit(trial);
+        ++since_relaxation;
+      }
+      if (since_relaxation >= relax_every) {
+        compact_state();
+        relax_state(state_, surface_, 15, 0.02);
+        since_relaxation = 0;
+      }
+    }
+  }
+
+  void run_batch() {
+    batch_.assign(kBatch, Trial{});
+    terms_.count_penalty = penalty_;
+    terms_.climb_share = options_.climb_share;
+    terms_.atoms_above_target = static_cast<long>(atoms_) - static_cast<long>(target_);
+    const std::uint64_t first = next_stream_;
+    next_stream_ += kBatch;
+    team_.run(kBatch, [&](std::size_t k, unsigned thread) {
+      RandomStream random(options_.seed, first + k);
+      // Most draws are ruled out by ring sizes alone, which costs next to nothing: draw until one is not.
+      std::optional<NetworkEdit> edit;
+      for (int draw = 0; draw < 20 && !edit; ++draw)
+        edit = draw_edit(state_.network, defects_.list(), options_.climb_share, random);
+      if (edit) batch_[k] = try_edit(state_, std::move(*edit), terms_, random, workspaces_[thread]);
+    });
+    result_.trials += kBatch;
+    changed_.resize(state_.network.atoms.size(), 0);
+    ++batch_number_;
+  }
+
+  bool overlaps(const Trial& trial) const {
+    return std::any_of(trial.looked.begin(), trial.looked.end(),
+                       [&](AtomIndex a) { return a < changed_.size() && changed_[a] == batch_number_; });
+  }
+
+  void commit(const Trial& trial) {
+    const auto added = commit_edit(state_.network, *trial.edit, free_atoms_, free_rings_);
+    state_.positions.resize(state_.network.atoms.size(), Vec3::Zero());
+    state_.planes.resize(state_.network.atoms.size());
+    changed_.resize(state_.network.atoms.size(), 0);
+    for (std::size_t k = 0; k < trial.moved.size(); ++k) {
+      AtomIndex a = trial.moved[k];
+      if (a == added_atoms[0]) a = added[0];
+      if (a == added_atoms[1]) a = added[1];
+      state_.positions[a] = trial.positions[k];
+      state_.planes[a] = trial.planes[k];
+      changed_[a] = batch_number_;
+    }
+    atoms_ = static_cast<std::size_t>(static_cast<long>(atoms_) + trial.edit->atoms_added());
+    for (const auto& [ring, change] : trial.edit->rings)
+      if (ring != added_ring) defects_.update(state_.network, ring);
+    for (const auto& change : trial.edit->atoms)
+      if (change.record.exists())
+        for (const RingIndex r : change.record.ring)
+          if (r == added_ring) defects_.update(state_.network, state_.network.atoms[added[0]].ring[2]);
+    ++result_.accepted;
+  }
+
+  void compact_state() {
+    if (free_atoms_.empty() && free_rings_.empty()) return;
+    const std::vector<AtomIndex> former = compact(state_.network);
+    for (std::size_t a = 0; a < former.size(); ++a) {
+      state_.positions[a] = state_.positions[former[a]];
+      state_.planes[a] = state_.planes[former[a]];
+    }
+    state_.positions.resize(former.size());
+    state_.planes.resize(former.size());
+    free_atoms_.clear();
+    free_rings_.clear();
+    changed_.assign(state_.network.atoms.size(), 0);
+    defects_ = DefectList(state_.network);
+  }
+
+  SwitchingState& state_;
+  const TetherSurface& surface_;
+  const BondSwitchingOptions& options_;
+  ThreadTeam team_;
+  std::vector<TrialWorkspace> workspaces_;
+  DefectList defects_;
+  std::vector<Trial> batch_;
+  std::vector<std::uint64_t> changed_;  // number of the last batch that moved the atom
+  std::uint64_t batch_number_ = 0, next_stream_ = 0;
+  std::vector<AtomIndex> free_atoms_;
+  std::vector<RingIndex> free_rings_;
+  TrialTerms terms_;
+  std::size_t target_ = 0, atoms_ = 0;
+  double penalty_ = 0;
+  BondSwitchingResult result_;
+};
+
+}  // namespace
+
+double relax_state(SwitchingState& state, const TetherSurface& surface, int max_iterations,
+                   double force_tolerance) {
+  FixedBondModel model;
+  model.rebo2.graph = fixed_bond_graph(state.network);
+  model.tether = state.tether;
+  if (state.planes.size() != state.positions.size()) state.planes = tangent_planes(surface, state.positions);
+  model.planes = std::move(state.planes);
+  const LbfgsResult relaxed =
+      minimise_fixed_bonds(model, &surface, state.positions,
+                           {.max_iterations = max_iterations, .force_tolerance = force_tolerance});
+  state.planes = std::move(model.planes);
+  state.contacts = std::move(model.contacts);
+  state.contacts.renew(state.positions, model.rebo2.graph.neighbours);
+  return relaxed.energy;
+}
+
+BondSwitchingResult anneal_bonds(SwitchingState& state, const TetherSurface& surface,
+                                 const BondSwitchingOptions& options) {
+  return Annealer(state, surface, options).run();
+}
+
+}  // namespace nanocarbon

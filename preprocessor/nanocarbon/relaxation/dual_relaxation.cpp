@@ -1,0 +1,59 @@
+#include "nanocarbon/relaxation/dual_relaxation.h"
+
+#include <algorithm>
+
+#include "nanocarbon/relaxation/fixed_bond_model.h"
+#include "nanocarbon/relaxation/geometry_check.h"
+#include "nanocarbon/relaxation/network_springs.h"
+#include "nanocarbon/relaxation/untangle.h"
+
+namespace nanocarbon {
+
+namespace {
+
+// Holds the shape while springs pull on badly scaled bonds.
+constexpr double kSpringTether = 0.5;
+
+void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::vector<Vec3>& positions,
+                      int iterations) {
+  for (int round = 0; round < 3; ++round) {
+    model.planes = tangent_planes(surface, positions);
+    const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
+      return add_springs(model.rebo2.graph, x, g) + add_tether(model.planes, kSpringTether, x, g);
+    };
+    minimise_lbfgs(positions, energy, {.max_iterations = iterations / 3, .force_tolerance = 0.05});
+  }
+}
+
+}  // namespace
+
+DualRelaxationResult relax_dual(Molecule& molecule, const TetherSurface& surface,
+                                const DualRelaxationOptions& options) {
+  FixedBondModel model;
+  model.rebo2.graph = fixed_bond_graph(molecule);
+  model.tether = options.tether;
+  relax_by_springs(model, surface, molecule.positions, options.max_iterations);
+  DualRelaxationResult result;
+  LbfgsResult relaxed;
+  for (unsigned attempt = 0; attempt <= options.untangling_attempts; ++attempt) {
+    relaxed = minimise_fixed_bonds(
+        model, &surface, molecule.positions,
+        {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});
+    const std::vector<AtomIndex> tangled = tangled_atoms(molecule.positions, model.rebo2.graph);
+    if (tangled.empty() || attempt == options.untangling_attempts) break;
+    result.untangled = untangle(molecule.positions, model.rebo2.graph, surface, tangled, 3 + 2 * attempt);
+    relax_by_springs(model, surface, molecule.positions, options.max_iterations);
+  }
+
+  std::vector<Vec3> gradient(molecule.size(), Vec3::Zero());
+  result.energy = model.rebo2.evaluate(molecule.positions, gradient);
+  result.max_force = relaxed.max_force;
+  const GeometryCheck check = check_geometry(molecule.positions, model.rebo2.graph);
+  result.shortest_bond = check.shortest_bond;
+  result.longest_bond = check.longest_bond;
+  result.closest_unbonded = check.closest_unbonded;
+  for (const Vec3& p : molecule.positions) result.mean_distance += surface.distance(p) / molecule.size();
+  return result;
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,33 @@
+#include "nanocarbon/relaxation/fixed_bond_model.h"
+
+#include <algorithm>
+
+namespace nanocarbon {
+
+double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
+  double energy = rebo2.evaluate(positions, gradient);
+  energy += contacts.evaluate(positions, rebo2.graph.neighbours, gradient);
+  if (!planes.empty()) energy += add_tether(planes, tether, positions, gradient);
+  return energy;
+}
+
+LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const TetherSurface* surface,
+                                 std::vector<Vec3>& positions, const LbfgsOptions& options, int renewal) {
+  const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) { return model.evaluate(x, g); };
+  LbfgsResult result;
+  int iterations = 0;
+  do {
+    if (surface) model.planes = tangent_planes(*surface, positions);
+    LbfgsOptions part = options;
+    part.max_iterations = options.max_iterations - iterations;
+    if (surface) part.max_iterations = std::min(part.max_iterations, renewal);
+    result = minimise_lbfgs(positions, energy, part);
+    iterations += std::max(result.iterations, 1);
+    // Planes renewed after convergence would move the minimum by a little: the caller's tolerance has been
+    // met.
+  } while (!result.converged && iterations < options.max_iterations);
+  result.iterations = iterations;
+  return result;
+}
+
+}  // namespace nanocarbon

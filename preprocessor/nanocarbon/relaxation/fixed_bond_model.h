@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "nanocarbon/relaxation/fixed_bond_rebo2.h"
+#include "nanocarbon/relaxation/lbfgs.h"
+#include "nanocarbon/relaxation/steric_contacts.h"
+#include "nanocarbon/relaxation/surface_tether.h"
+
+namespace nanocarbon {
+
+//! What holds a molecule while it is being prepared: REBO2 on fixed bonds, the steric term, and a tether.
+struct FixedBondModel {
+  FixedBondRebo2 rebo2;
+  StericContacts contacts;
+  std::vector<TangentPlane> planes;  //!< one for each atom; empty for no tether
+  double tether = 0;                 //!< eV/Angstrom^2
+
+  //! Sum of the terms in eV; gradient added to.
+  double evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient);
+};
+
+//! Minimises the model's energy over all positions, renewing the tangent planes every `renewal` iterations.
+LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const TetherSurface* surface,
+                                 std::vector<Vec3>& positions, const LbfgsOptions& options, int renewal = 40);
+
+}  // namespace nanocarbon

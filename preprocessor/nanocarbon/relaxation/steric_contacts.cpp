@@ -1,0 +1,80 @@
+#include "nanocarbon/relaxation/steric_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nanocarbon/core/neighbours_within.h"
+
+namespace nanocarbon {
+
+namespace {
+
+constexpr double kStiffness = 8;  // eV/Angstrom^2
+constexpr double kMargin = 0.8;   // Angstrom
+
+// Atoms at most `bonds` bonds away from the start, found breadth first; sorted.
+void atoms_within_bonds(const StericContacts::Neighbours& neighbours, AtomIndex start, unsigned bonds,
+                        std::vector<AtomIndex>& found) {
+  found.assign(1, start);
+  std::size_t shell = 0;
+  for (unsigned distance = 0; distance < bonds; ++distance) {
+    const std::size_t end = found.size();
+    for (; shell < end; ++shell)
+      for (const AtomIndex n : neighbours[found[shell]])
+        if (n != no_atom && std::find(found.begin(), found.end(), n) == found.end()) found.push_back(n);
+  }
+  std::sort(found.begin(), found.end());
+}
+
+}  // namespace
+
+double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a) {
+  const Vec3 d = a - b;
+  const double r2 = d.squaredNorm();
+  if (r2 >= steric_reach * steric_reach) return 0;
+  const double r = std::max(std::sqrt(r2), 1e-6), overlap = steric_reach - r;
+  gradient_at_a -= kStiffness * overlap / r * d;
+  return 0.5 * kStiffness * overlap * overlap;
+}
+
+void StericContacts::renew(std::span<const Vec3> positions, const Neighbours& neighbours) {
+  reference_.assign(positions.begin(), positions.end());
+  const NeighbourList candidates = neighbours_within(positions, nullptr, steric_reach + kMargin);
+  offsets_.assign(1, 0);
+  near_.clear();
+  std::vector<AtomIndex> bonded;
+  for (AtomIndex a = 0; a < positions.size(); ++a) {
+    // In a flat sheet every candidate is within the excluded bonds; only curved or folded places need the
+    // search.
+    if (neighbours[a][0] != no_atom || neighbours[a][1] != no_atom || neighbours[a][2] != no_atom) {
+      atoms_within_bonds(neighbours, a, steric_excluded_bonds, bonded);
+      for (const Neighbour& candidate : candidates.of(a)) {
+        const auto& other = neighbours[candidate.atom];
+        const bool used = other[0] != no_atom || other[1] != no_atom || other[2] != no_atom;
+        if (used && !std::binary_search(bonded.begin(), bonded.end(), candidate.atom))
+          near_.push_back(candidate.atom);
+      }
+    }
+    offsets_.push_back(near_.size());
+  }
+}
+
+double StericContacts::evaluate(std::span<const Vec3> positions, const Neighbours& neighbours,
+                                std::span<Vec3> gradient) {
+  bool stale = reference_.size() != positions.size();
+  for (std::size_t a = 0; a < positions.size() && !stale; ++a)
+    stale = (positions[a] - reference_[a]).squaredNorm() > 0.25 * kMargin * kMargin;
+  if (stale) renew(positions, neighbours);
+  double energy = 0;
+  for (AtomIndex a = 0; a < positions.size(); ++a)
+    for (const AtomIndex b : near(a)) {
+      if (b < a) continue;
+      Vec3 at_a = Vec3::Zero();
+      energy += steric_pair(positions[a], positions[b], at_a);
+      gradient[a] += at_a;
+      gradient[b] -= at_a;
+    }
+  return energy;
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,83 @@
+#include "nanocarbon/relaxation/surface_tether.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace nanocarbon {
+
+namespace {
+
+TriangleMesh scaled_mesh(const TriangleMesh& surface, double scale) {
+  TriangleMesh scaled = surface;
+  for (Vec3& p : scaled.points) p *= scale;
+  return scaled;
+}
+
+double angle_at(const Vec3& corner, const Vec3& a, const Vec3& b) {
+  const Vec3 u = a - corner, v = b - corner;
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+// Normals weighted by the angles of the triangles (Thürmer and Wüthrich 1998): independent of the
+// triangulation.
+std::vector<Vec3> vertex_normals_of(const TriangleMesh& mesh) {
+  std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 p[3] = {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+    for (int s = 0; s < 3; ++s) normals[t[s]] += angle_at(p[s], p[(s + 1) % 3], p[(s + 2) % 3]) * normal;
+  }
+  for (Vec3& n : normals) n.normalize();
+  return normals;
+}
+
+// Barycentric coordinates of a point of the triangle, by the areas of the parts.
+Vec3 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = (b - a).cross(c - a);
+  const double area = normal.squaredNorm();
+  if (area < 1e-30) return Vec3::Constant(1.0 / 3);
+  return Vec3((c - b).cross(point - b).dot(normal), (a - c).cross(point - c).dot(normal),
+              (b - a).cross(point - a).dot(normal)) /
+         area;
+}
+
+}  // namespace
+
+TetherSurface::TetherSurface(const TriangleMesh& surface, double scale)
+    : scaled_(scaled_mesh(surface, scale)), nearest_(scaled_), vertex_normals_(vertex_normals_of(scaled_)) {}
+
+TangentPlane TetherSurface::plane_at(const Vec3& position) const {
+  const SurfacePoint found = nearest_.nearest(position);
+  const Triangle& t = scaled_.triangles[found.triangle];
+  const Vec3 weight =
+      barycentric(found.point, scaled_.points[t[0]], scaled_.points[t[1]], scaled_.points[t[2]]);
+  Vec3 normal = weight[0] * vertex_normals_[t[0]] + weight[1] * vertex_normals_[t[1]] +
+                weight[2] * vertex_normals_[t[2]];
+  const double length = normal.norm();
+  if (!(length > 1e-12)) normal = Vec3::UnitZ();
+  return {found.point, length > 1e-12 ? Vec3(normal / length) : normal};
+}
+
+double TetherSurface::distance(const Vec3& position) const { return nearest_.nearest(position).distance; }
+
+Vec3 TetherSurface::nearest(const Vec3& position) const { return nearest_.nearest(position).point; }
+
+std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions) {
+  std::vector<TangentPlane> planes;
+  planes.reserve(positions.size());
+  for (const Vec3& p : positions) planes.push_back(surface.plane_at(p));
+  return planes;
+}
+
+double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,
+                  std::span<Vec3> gradient) {
+  double energy = 0;
+  for (std::size_t a = 0; a < positions.size(); ++a) {
+    const double height = (positions[a] - planes[a].point).dot(planes[a].normal);
+    gradient[a] += stiffness * height * planes[a].normal;
+    energy += 0.5 * stiffness * height * height;
+  }
+  return energy;
+}
+
+}  // namespace nanocarbon

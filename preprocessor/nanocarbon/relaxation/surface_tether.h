@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nanocarbon/mesh/nearest_point.h"
+
+namespace nanocarbon {
+
+//! The plane an atom is held to.
+struct TangentPlane {
+  Vec3 point;   //!< Angstrom
+  Vec3 normal;  //!< unit, outward
+};
+
+//! \brief The surface as the molecule sees it: scaled to Angstrom, with tangent planes.
+//! \details Distances to the plane are free along the surface, so a tether to it holds the shape but lets
+//! atoms slide.
+class TetherSurface {
+ public:
+  //! \param surface any units; kept by copy
+  //! \param scale Angstrom per unit of the surface
+  TetherSurface(const TriangleMesh& surface, double scale);
+
+  //! The plane through the nearest point of the surface, with the normal interpolated between vertices.
+  TangentPlane plane_at(const Vec3& position) const;
+
+  double distance(const Vec3& position) const;  //!< to the surface, Angstrom
+  Vec3 nearest(const Vec3& position) const;     //!< point of the surface, Angstrom
+
+ private:
+  TriangleMesh scaled_;
+  NearestPoint nearest_;
+  std::vector<Vec3> vertex_normals_;
+};
+
+//! Planes for all positions.
+std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions);
+
+//! Adds (stiffness / 2) h^2 over all atoms, h the distance to the atom's plane; stiffness in eV/Angstrom^2,
+//! result in eV.
+double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,
+                  std::span<Vec3> gradient);
+
+}  // namespace nanocarbon

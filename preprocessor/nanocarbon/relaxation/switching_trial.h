@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nanocarbon/relaxation/random_stream.h"
+#include "nanocarbon/relaxation/switching_patch.h"
+
+namespace nanocarbon {
+
+//! What a trial is judged by.
+struct TrialTerms {
+  double temperature = 0.3;          //!< k T, eV
+  double chemical_potential = -7.3;  //!< eV for each atom gained
+  double count_penalty = 0;          //!< eV for each (atoms - target)^2
+  long atoms_above_target = 0;
+  double climb_share = 0.35;  //!< of trials that add or remove a pair of atoms
+  double least_cosine = 0.2;  //!< of the angle between an atom's normal and the surface's
+};
+
+//! Outcome of one trial; what to write back if it is accepted.
+struct Trial {
+  bool accepted = false;
+  double energy_change = 0;  //!< eV, of the patch
+  std::optional<NetworkEdit> edit;
+  std::vector<AtomIndex> moved;  //!< free atoms; added_atoms for those of a split
+  std::vector<AtomIndex>
+      looked;  //!< all atoms of the patch: the trial holds only while none of them has changed
+  std::vector<Vec3> positions;  //!< of the moved
+  std::vector<TangentPlane> planes;
+};
+
+//! Scratch of one thread.
+struct TrialWorkspace {
+  SwitchingPatch near, far;
+};
+
+//! Draws a switch at one of the defects (rings that are no hexagons), or nothing where ring sizes forbid it.
+//! Sizes stay 5 to 7, or come nearer to that; the sum of (size - 6)^2 may rise by 4 at most, and by 4 one
+//! time in five.
+std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<const RingIndex> defects,
+                                     double climb_share, RandomStream& random);
+
+//! \brief Tries a switch on a copy of its surroundings: relaxes them, and judges by the Metropolis rule.
+//! \details The threshold is drawn first, so that hopeless relaxations end early. Flips are screened on a
+//! small patch. The state is not changed: any number of trials may run at once.
+Trial try_edit(const SwitchingState& state, NetworkEdit edit, const TrialTerms& terms, RandomStream& random,
+               TrialWorkspace& workspace);
+
+}  // namespace nanocarbon

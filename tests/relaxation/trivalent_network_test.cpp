@@ -1,0 +1,70 @@
+#include "nanocarbon/relaxation/trivalent_network.h"
+
+#include <gmock/gmock.h>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/molecule/dual.h"
+#include "nanocarbon/structures/fullerene.h"
+
+namespace nanocarbon {
+namespace {
+
+std::vector<Vec3> centroids(const TriangleMesh& mesh) {
+  std::vector<Vec3> result;
+  for (const Triangle& t : mesh.triangles)
+    result.push_back((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
+  return result;
+}
+
+TEST(TrivalentNetwork, IsTheSameDualAsTheMoleculeRooms) {
+  const TriangleMesh mesh = icosahedral_triangulation(2, 1);
+  const Molecule expected = dual(mesh);
+  const Molecule built = molecule_of(trivalent_network(mesh), centroids(mesh));
+  EXPECT_EQ(built.bonds, expected.bonds);
+  ASSERT_EQ(built.rings.size(), expected.rings.size());
+  for (std::size_t r = 0; r < built.rings.size(); ++r)
+    EXPECT_THAT(std::vector(built.rings[r].begin(), built.rings[r].end()),
+                testing::UnorderedElementsAreArray(expected.rings[r]));
+}
+
+TEST(TrivalentNetwork, AFullereneHasTwelvePentagons) {
+  const auto counts = ring_counts(trivalent_network(icosahedral_triangulation(3, 3)));
+  ASSERT_EQ(counts.size(), 7u);
+  EXPECT_EQ(counts[5], 12u);
+  EXPECT_EQ(counts[6], 540u / 2 + 2 - 12);
+}
+
+TEST(TrivalentNetwork, TriangulationOfADualIsTheOneItCameFrom) {
+  const TriangleMesh mesh = icosahedral_triangulation(2, 0);
+  const TriangleMesh back = triangulation_of(trivalent_network(mesh), centroids(mesh));
+  EXPECT_EQ(back.triangles, mesh.triangles);
+  EXPECT_EQ(back.points.size(), mesh.points.size());
+}
+
+TEST(TrivalentNetwork, AtomsOnABorderLackNeighboursAndBorderVerticesAreNoRings) {
+  // Six triangles about a vertex: one ring, and six atoms with two bonds each.
+  TriangleMesh fan;
+  fan.points.resize(7, Vec3::Zero());
+  for (VertexIndex k = 0; k < 6; ++k) fan.triangles.push_back({0, 1 + k, 1 + (k + 1) % 6});
+  const TrivalentNetwork network = trivalent_network(fan);
+  for (const TrivalentAtom& atom : network.atoms)
+    EXPECT_EQ(std::count(atom.neighbour.begin(), atom.neighbour.end(), no_atom), 1);
+  EXPECT_FALSE(network.rings[0].border);
+  EXPECT_EQ(network.rings[0].size, 6u);
+  for (RingIndex r = 1; r < 7; ++r) {
+    EXPECT_TRUE(network.rings[r].border);
+    std::vector<AtomIndex> chain;
+    atoms_of_ring(network, r, chain);
+    EXPECT_EQ(chain.size(), 2u);
+  }
+}
+
+TEST(TrivalentNetwork, ThreeTrianglesAtAnEdgeAreRefused) {
+  TriangleMesh mesh;
+  mesh.points.resize(5, Vec3::Zero());
+  mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+  EXPECT_THROW(trivalent_network(mesh), UserError);
+}
+
+}  // namespace
+}  // namespace nanocarbon
