@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "nanocarbon/core/error.h"
 #include "nanocarbon/rebo2/general_evaluation.h"
+#include "nanocarbon/rebo2/mixed_evaluation.h"
 #include "nanocarbon/rebo2/periodic_copies.h"
+#include "nanocarbon/rebo2/sp2_dispatch.h"
 
 namespace nanocarbon {
 
@@ -23,18 +26,36 @@ bool same_cell(const std::optional<Cell>& a, const Cell* b) {
   return a->vectors == b->vectors && a->periodic == b->periodic;
 }
 
+const Sp2Kernel& find_kernel(std::string_view name) {
+  if (name.empty()) return *usable_sp2_kernels().front();
+  std::string known;
+  for (const Sp2Kernel* kernel : usable_sp2_kernels()) {
+    if (name == kernel->name) return *kernel;
+    known.append(" ").append(kernel->name);
+  }
+  throw UserError(Failure::usage,
+                  "no fast evaluation for instructions '" + std::string(name) + "' here; there are:" + known);
+}
+
 }  // namespace
 
 struct Rebo2::State {
+  State(const Rebo2Parameters& p, std::string_view instructions)
+      : parameters(p), fast_applies(sp2_case_applies(p)), mixed(p, find_kernel(instructions)) {}
+
   Rebo2Parameters parameters;
+  bool fast_applies;
   Rebo2Result result;
   GeneralWorkspace general;
+  MixedEvaluation mixed;
+  std::size_t general_atoms = 0;
 
   NearAtoms near;
   std::vector<Vec3> listed_positions;
   std::vector<Element> elements;  // own atoms and copies
   std::optional<Cell> listed_cell;
   std::size_t list_builds = 0;
+  std::size_t blocks_of_list = 0;  // the list that the fast evaluation was prepared for
 
   std::vector<double> coordinates;
   std::vector<double> forces;
@@ -94,9 +115,8 @@ void Rebo2::State::take_results(const Rebo2Options& options) {
     }
 }
 
-Rebo2::Rebo2(const Rebo2Parameters& parameters) : state_(std::make_unique<State>()) {
-  state_->parameters = parameters;
-}
+Rebo2::Rebo2(const Rebo2Parameters& parameters, std::string_view instructions)
+    : state_(std::make_unique<State>(parameters, instructions)) {}
 Rebo2::~Rebo2() = default;
 Rebo2::Rebo2(Rebo2&&) noexcept = default;
 Rebo2& Rebo2::operator=(Rebo2&&) noexcept = default;
@@ -118,13 +138,22 @@ const Rebo2Result& Rebo2::evaluate(std::span<const Vec3> positions, std::span<co
   }
   const AtomsView atoms = {s.coordinates.data(), s.elements.data(), s.near.own,
                            static_cast<std::uint32_t>(s.elements.size())};
-  s.result.parts = evaluate_general(atoms, s.near.pairs, {s.parameters, coordination_tables()}, s.general,
-                                    s.forces.data(), shares);
+  if (options.general_only || options.atom_virials || !s.fast_applies) {
+    s.result.parts = evaluate_general(atoms, s.near.pairs, {s.parameters, coordination_tables()}, s.general,
+                                      s.forces.data(), shares);
+    s.general_atoms = positions.size();
+  } else {
+    if (s.blocks_of_list != s.list_builds) s.mixed.set_near(atoms, s.near.pairs);
+    s.blocks_of_list = s.list_builds;
+    s.result.parts = s.mixed.evaluate(atoms, s.near.pairs, s.forces.data(), shares);
+    s.general_atoms = s.mixed.general_atoms();
+  }
   s.result.energy = s.result.parts.total();
   s.take_results(options);
   return s.result;
 }
 
+std::size_t Rebo2::general_atoms() const { return state_->general_atoms; }
 std::size_t Rebo2::list_builds() const { return state_->list_builds; }
 
 }  // namespace nanocarbon

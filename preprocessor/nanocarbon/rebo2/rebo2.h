@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "nanocarbon/core/cell.h"
@@ -37,7 +38,9 @@ struct Rebo2Result {
 //! the skin.
 class Rebo2 {
  public:
-  explicit Rebo2(const Rebo2Parameters& parameters = rebo2_parameters());
+  //! \param instructions of the fast evaluation: "generic", "avx2" or "avx512"; empty for the best that runs
+  //! here \throw UserError (usage) where this processor or build does not have them
+  explicit Rebo2(const Rebo2Parameters& parameters = rebo2_parameters(), std::string_view instructions = {});
   ~Rebo2();
   Rebo2(Rebo2&&) noexcept;
   Rebo2& operator=(Rebo2&&) noexcept;
@@ -48,6 +51,8 @@ class Rebo2 {
   const Rebo2Result& evaluate(std::span<const Vec3> positions, std::span<const Element> elements,
                               const Cell* cell = nullptr, const Rebo2Options& options = {});
 
+  //! Atoms that the last evaluation left to the general terms; all of them where it was asked for no others.
+  std::size_t general_atoms() const;
   //! How often near pairs were looked for so far.
   std::size_t list_builds() const;
 

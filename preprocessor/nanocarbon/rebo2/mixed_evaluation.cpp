@@ -1,0 +1,231 @@
+#include "nanocarbon/rebo2/mixed_evaluation.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "nanocarbon/rebo2/conjugation.h"
+
+namespace nanocarbon {
+
+MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel)
+    : parameters_(parameters),
+      constants_(make_sp2_constants(parameters)),
+      bond_constants_(sp2_bond_constants(coordination_tables())),
+      kernel_(&kernel) {
+  const double cutoff = parameters.pairs[pair_index(Element::carbon, Element::carbon)].cutoff_end;
+  watch_squared_ = cutoff * cutoff;
+  std::fill_n(plain_.on, sp2_block, 1.0);
+  std::fill_n(&plain_.torsion[0][0], 3 * sp2_block, bond_constants_.torsion);
+  std::fill_n(&plain_.pi[0][0], 3 * sp2_block, bond_constants_.pi);
+}
+
+void MixedEvaluation::set_near(const AtomsView& atoms, const NearPairs& near) {
+  blocks_ = make_sp2_blocks(atoms, near, parameters_);
+  geometry_.resize(12 * sp2_block * blocks_.blocks);
+  tensors_.assign(6 * (std::size_t{blocks_.zero_record()} + 1), 0.0);
+  outside_.resize(blocks_.blocks);
+  modifiers_.assign(blocks_.own_blocks, &plain_);
+  modifier_pool_.resize(blocks_.own_blocks);
+  modified_blocks_.clear();
+  general_flag_.assign(atoms.all, 0);
+  general_.clear();
+}
+
+Sp2Modifiers* MixedEvaluation::modifiers_of(std::uint32_t place) {
+  const std::uint32_t block = place / sp2_block;
+  if (block >= blocks_.own_blocks) return nullptr;
+  if (modifiers_[block] == &plain_) {
+    modifier_pool_[block] = plain_;
+    modifiers_[block] = &modifier_pool_[block];
+    modified_blocks_.push_back(block);
+  }
+  return &modifier_pool_[block];
+}
+
+void MixedEvaluation::reset_modifiers() {
+  for (const std::uint32_t block : modified_blocks_) modifiers_[block] = &plain_;
+  modified_blocks_.clear();
+  // The last block of own atoms may have lanes without an atom.
+  if (blocks_.own_blocks > 0 && blocks_.real[blocks_.own_blocks - 1] != ~0u) {
+    const auto first = static_cast<std::uint32_t>((blocks_.own_blocks - 1) * sp2_block);
+    for (std::uint32_t l = 0; l < sp2_block; ++l)
+      if (!(blocks_.real[blocks_.own_blocks - 1] >> l & 1u)) modifiers_of(first)->on[l] = 0.0;
+  }
+}
+
+void MixedEvaluation::find_general_atoms(const AtomsView& atoms, const NearPairs& near) {
+  for (const std::uint32_t atom : general_) general_flag_[atom] = 0;
+  general_.clear();
+  const auto flag = [&](std::uint32_t atom) {
+    if (general_flag_[atom]) return;
+    general_flag_[atom] = 1;
+    general_.push_back(atom);
+  };
+  for (const std::uint32_t atom : blocks_.others) flag(atom);
+  for (std::size_t block = 0; block < blocks_.blocks; ++block)
+    for (std::uint32_t bits = outside_[block] & blocks_.real[block]; bits != 0; bits &= bits - 1)
+      flag(blocks_.atoms[block * sp2_block + std::countr_zero(bits)]);
+  for (const auto& [i, j] : blocks_.watched) {
+    const double* a = atoms.positions + 3 * std::size_t{i};
+    const double* b = atoms.positions + 3 * std::size_t{j};
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+    if (x * x + y * y + z * z < watch_squared_) [[unlikely]] {
+      flag(i);
+      if (blocks_.place[j] != Sp2Blocks::nowhere) flag(j);
+    }
+  }
+  if (general_.empty() && blocks_.crowded.empty()) return;
+  workspace_.edges.clear(atoms.all);
+  for (const std::uint32_t atom : general_) workspace_.edges.add(atom, atoms, near, parameters_);
+  for (const std::uint32_t atom : blocks_.crowded) workspace_.edges.add(atom, atoms, near, parameters_);
+}
+
+void MixedEvaluation::set_bond_constants(std::uint32_t at, int s, const Sp2BondConstants& constants) {
+  Sp2Modifiers* modifiers = modifiers_of(at);
+  if (!modifiers) return;
+  modifiers->torsion[s][at % sp2_block] = constants.torsion;
+  modifiers->pi[s][at % sp2_block] = constants.pi;
+}
+
+void MixedEvaluation::switch_off_general_atoms() {
+  for (const std::uint32_t g : general_) {
+    const std::uint32_t at = blocks_.place[g];
+    if (at != Sp2Blocks::nowhere)
+      if (Sp2Modifiers* modifiers = modifiers_of(at)) modifiers->on[at % sp2_block] = 0.0;
+    for (const HalfEdge& bond : workspace_.edges.of(workspace_.edges.centre(g))) {
+      if (!is_fast(bond.to)) continue;
+      const std::uint32_t other = blocks_.place[bond.to];
+      for (int s = 0; s < 3; ++s)
+        if (blocks_.neighbour(other, s) == g) set_bond_constants(other, s, {0.0, 0.0});
+    }
+  }
+}
+
+void MixedEvaluation::find_general_bonds(const AtomsView& atoms) {
+  bonds_.clear();
+  for (const std::uint32_t g : general_)
+    for (const HalfEdge& bond : workspace_.edges.of(workspace_.edges.centre(g))) {
+      const std::uint32_t j = bond.to;
+      if (g >= atoms.own && j >= atoms.own) continue;
+      // Where both ends are general, both come by here.
+      if (!general_flag_[j] || g < j) bonds_.emplace_back(std::min(g, j), std::max(g, j));
+    }
+}
+
+void MixedEvaluation::modify_crowded_bonds(const AtomsView& atoms) {
+  HalfEdges& edges = workspace_.edges;
+  crowded_bonds_.clear();
+  const auto collect = [&](std::uint32_t k) {
+    const Centre& centre = edges.centre(k);
+    if (centre.element != Element::carbon || centre.count < 4) return;
+    for (const HalfEdge& bond : edges.of(centre)) {
+      if (!is_fast(bond.to)) continue;
+      const std::uint32_t at = blocks_.place[bond.to];
+      for (int s = 0; s < 3; ++s) {
+        const std::uint32_t m = blocks_.neighbour(at, s);
+        if (m != k && is_fast(m)) crowded_bonds_.emplace_back(std::min(bond.to, m), std::max(bond.to, m));
+      }
+    }
+  };
+  for (const std::uint32_t k : general_) collect(k);
+  for (const std::uint32_t k : blocks_.crowded)
+    if (!general_flag_[k]) collect(k);
+  std::sort(crowded_bonds_.begin(), crowded_bonds_.end());
+  crowded_bonds_.erase(std::unique(crowded_bonds_.begin(), crowded_bonds_.end()), crowded_bonds_.end());
+
+  for (const auto& [i, j] : crowded_bonds_) {
+    if (i >= atoms.own) continue;
+    double n_conj = 1.0;
+    bool whole = true;
+    for (const auto& [end, other] : {Bond{i, j}, Bond{j, i}}) {
+      double sum = 0.0;
+      for (int s = 0; s < 3; ++s) {
+        const std::uint32_t k = blocks_.neighbour(blocks_.place[end], s);
+        if (k == other) continue;
+        ValueSlope f = {1.0, 0.0};
+        if (edges.has(k))
+          f = cosine_switch(edges.centre(k).coordination() - 1.0, parameters_.conjugation_begin,
+                            parameters_.conjugation_end);
+        sum += f.value;
+        whole &= f.slope == 0.0;
+      }
+      n_conj += sum * sum;
+    }
+    if (!whole) bonds_.emplace_back(i, j);
+    const Sp2BondConstants constants =
+        whole ? sp2_bond_constants(coordination_tables(), n_conj) : Sp2BondConstants{0.0, 0.0};
+    for (int s = 0; s < 3; ++s) {
+      if (blocks_.neighbour(blocks_.place[i], s) == j) set_bond_constants(blocks_.place[i], s, constants);
+      if (blocks_.neighbour(blocks_.place[j], s) == i) set_bond_constants(blocks_.place[j], s, constants);
+    }
+  }
+}
+
+EnergyParts MixedEvaluation::add_general_terms(const AtomsView& atoms, const NearPairs& near, double* forces,
+                                               const AtomShares& shares) {
+  HalfEdges& edges = workspace_.edges;
+  for (const auto& [i, j] : bonds_)
+    for (const std::uint32_t end : {i, j}) {
+      edges.add(end, atoms, near, parameters_);
+      const Centre centre = edges.centre(end);
+      for (std::uint32_t a = 0; a < centre.count; ++a)
+        edges.add(edges.of(centre)[a].to, atoms, near, parameters_);
+    }
+  const Model model = {parameters_, coordination_tables()};
+  EnergyParts energy;
+  general_own_ = 0;
+  for (const std::uint32_t g : general_)
+    if (g < atoms.own) {
+      energy += add_centre_terms(edges, edges.centre(g), model, workspace_.angles, shares);
+      ++general_own_;
+    }
+  for (const auto& [i, j] : bonds_) {
+    const Centre& centre = edges.centre(i);
+    const auto bonds = edges.of(centre);
+    const std::uint32_t to = j;
+    const auto ij = std::find_if(bonds.begin(), bonds.end(), [&](const HalfEdge& b) { return b.to == to; });
+    energy += add_bond_terms(edges, centre, *ij, model, j < atoms.own ? 1.0 : 0.5, shares);
+  }
+  edges.add_forces(forces);
+  return energy;
+}
+
+EnergyParts MixedEvaluation::evaluate(const AtomsView& atoms, const NearPairs& near, double* forces,
+                                      const AtomShares& shares) {
+  if (shares.energies) edge_energies_.resize(3 * sp2_block * blocks_.own_blocks);
+  const Sp2Data data = {&constants_,
+                        atoms.positions,
+                        blocks_.atoms.data(),
+                        blocks_.neighbours.data(),
+                        blocks_.reverses.data(),
+                        geometry_.data(),
+                        tensors_.data(),
+                        outside_.data(),
+                        modifiers_.data(),
+                        forces,
+                        shares.energies ? edge_energies_.data() : nullptr};
+  kernel_->first(data, 0, blocks_.blocks);
+  reset_modifiers();
+  find_general_atoms(atoms, near);
+  const bool mixed = !general_.empty() || !blocks_.crowded.empty();
+  EnergyParts energy;
+  if (mixed) {
+    switch_off_general_atoms();
+    find_general_bonds(atoms);
+    modify_crowded_bonds(atoms);
+    energy = add_general_terms(atoms, near, forces, shares);
+  } else {
+    general_own_ = 0;
+  }
+  Sp2Energy fast = {};
+  kernel_->second(data, 0, blocks_.own_blocks, &fast);
+  energy += {fast.repulsive, fast.sigma_pi, fast.conjugation, fast.dihedral};
+  if (shares.energies)
+    for (std::uint32_t at = 0; at < blocks_.own_blocks * sp2_block; ++at)
+      for (int s = 0; s < 3; ++s)
+        shares.add_bond_energy(blocks_.atoms[at], blocks_.neighbour(at, s),
+                               edge_energies_[Sp2Blocks::index(at, s)]);
+  return energy;
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "nanocarbon/rebo2/general_evaluation.h"
+#include "nanocarbon/rebo2/sp2_blocks.h"
+#include "nanocarbon/rebo2/sp2_constants.h"
+#include "nanocarbon/rebo2/sp2_kernel.h"
+
+namespace nanocarbon {
+
+//! \brief REBO2 with the fast loops wherever they apply and the general terms elsewhere, atom by atom.
+//! \details Both evaluate the same function, so nothing jumps where an atom goes from one to the other. An
+//! atom in the fast case has its angles in the loops whatever its neighbours are. A bond between two such
+//! atoms has its dihedrals there too, unless a coordination that N_conj depends on is fractional; where it is
+//! whole but not three, only the bond's constants differ.
+class MixedEvaluation {
+ public:
+  MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel);
+
+  //! To be called whenever atoms or near pairs have changed.
+  void set_near(const AtomsView& atoms, const NearPairs& near);
+
+  //! Arguments and result as of evaluate_general(). shares must not ask for virials.
+  EnergyParts evaluate(const AtomsView& atoms, const NearPairs& near, double* forces,
+                       const AtomShares& shares);
+
+  //! Own atoms that the last evaluation left to the general terms.
+  std::size_t general_atoms() const { return general_own_; }
+
+ private:
+  using Bond = std::pair<std::uint32_t, std::uint32_t>;
+
+  bool is_fast(std::uint32_t atom) const {
+    return blocks_.place[atom] != Sp2Blocks::nowhere && !general_flag_[atom];
+  }
+  Sp2Modifiers* modifiers_of(std::uint32_t place);
+  void reset_modifiers();
+  void find_general_atoms(const AtomsView& atoms, const NearPairs& near);
+  void switch_off_general_atoms();
+  void find_general_bonds(const AtomsView& atoms);
+  void modify_crowded_bonds(const AtomsView& atoms);
+  void set_bond_constants(std::uint32_t at, int s, const Sp2BondConstants& constants);
+  EnergyParts add_general_terms(const AtomsView& atoms, const NearPairs& near, double* forces,
+                                const AtomShares& shares);
+
+  Rebo2Parameters parameters_;
+  Sp2Constants constants_;
+  Sp2BondConstants bond_constants_;
+  const Sp2Kernel* kernel_;
+  double watch_squared_;
+
+  Sp2Blocks blocks_;
+  std::vector<double> geometry_;
+  std::vector<double> tensors_;
+  std::vector<double> edge_energies_;
+  std::vector<std::uint32_t> outside_;
+
+  Sp2Modifiers plain_;
+  std::vector<Sp2Modifiers> modifier_pool_;
+  std::vector<const Sp2Modifiers*> modifiers_;
+  std::vector<std::uint32_t> modified_blocks_;
+
+  std::vector<char> general_flag_;      // of every atom
+  std::vector<std::uint32_t> general_;  // flagged atoms, own ones and copies
+  std::vector<Bond> bonds_;             // whose own terms are general, an own atom first
+  std::vector<Bond> crowded_bonds_;
+  std::size_t general_own_ = 0;
+  GeneralWorkspace workspace_;
+};
+
+}  // namespace nanocarbon

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "nanocarbon/rebo2/near_pairs.h"
+#include "nanocarbon/rebo2/parameters.h"
+#include "nanocarbon/rebo2/sp2_kernel.h"
+
+namespace nanocarbon {
+
+//! \brief Which atoms the fast loops may take, and their bonds in the loops' layout; good until the near
+//! pairs change. \details A carbon whose three nearest atoms are carbons, none of them bonded to each other,
+//! is a candidate. Whether it is in the fast case is found out at each evaluation: the loops report bonds too
+//! long or too short and angles too straight, and every other near pair of a candidate is watched.
+struct Sp2Blocks {
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+  std::size_t own_blocks = 0;             //!< blocks of own atoms come first
+  std::size_t blocks = 0;                 //!< then those of the copies that own atoms may be bonded to
+  std::vector<std::uint32_t> atoms;       //!< [block][lane]; padding repeats an atom
+  std::vector<std::uint32_t> neighbours;  //!< [block][s][lane]
+  std::vector<std::uint32_t>
+      reverses;                      //!< [block][s][lane]; zero_record() where the neighbour is no candidate
+  std::vector<std::uint32_t> real;   //!< [block] a bit for each lane that is not padding
+  std::vector<std::uint32_t> place;  //!< of an atom: block * sp2_block + lane, or nowhere
+
+  std::vector<std::array<std::uint32_t, 2>> watched;  //!< near pairs of candidates that are no bonds
+  std::vector<std::uint32_t> others;   //!< atoms that are no candidates: own ones and copies next to them
+  std::vector<std::uint32_t> crowded;  //!< copies further out that may have four bonds or more
+
+  std::uint32_t zero_record() const { return static_cast<std::uint32_t>(3 * sp2_block * blocks); }
+  std::uint32_t neighbour(std::uint32_t at, int s) const { return neighbours[index(at, s)]; }
+  std::uint32_t reverse(std::uint32_t at, int s) const { return reverses[index(at, s)]; }
+  //! Where an array [block][s][lane] has bond s of the candidate at a place.
+  static std::size_t index(std::uint32_t at, int s) {
+    return (at / sp2_block * 3 + s) * sp2_block + at % sp2_block;
+  }
+};
+
+Sp2Blocks make_sp2_blocks(const AtomsView& atoms, const NearPairs& near, const Rebo2Parameters& parameters);
+
+}  // namespace nanocarbon
