@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "nanocarbon/core/output_file.h"
 #include "nanocarbon/core/version.h"
 #include "nanocarbon/mesh/surface.h"
+#include "nanocarbon/mesh/write_mesh.h"
 #include "nanocarbon/molecule/lammps_data.h"
 #include "nanocarbon/molecule/xyz.h"
 #include "progress_bar.h"
@@ -108,6 +110,12 @@ void run(BuildCommand& command) {
   const std::string made_by = fmt::format("{} (nanocarbon {})", command.command_line, version);
   write_lammps_data(command.data, result.molecule, {command.atom_style, command.margin, made_by});
   if (command.xyz) write_xyz(*command.xyz, result.molecule, made_by);
+  if (command.triangulation) {
+    const double edge = std::sqrt(3.0);  // of the triangulation, in bonds
+    const MeshColours colours = colours_by_quality(result.triangulation, edge * options.thesis.min_bond,
+                                                   edge * options.thesis.max_bond);
+    write_mesh(*command.triangulation, result.triangulation, {.colours = &colours});
+  }
   if (command.report) write_file(*command.report, [&](std::ostream& out) { out << report.dump(2) << '\n'; });
   if (!command.common.quiet) fmt::print("{}\n{}", command.data.string(), report_table(report));
 }
@@ -136,6 +144,10 @@ void add_output_options(CLI::App& sub, BuildCommand& c) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   sub.add_option("--xyz", c.xyz, "Also write extended XYZ")->type_name("FILE");
+  sub.add_option(
+         "--mesh", c.triangulation,
+         "Also write the triangulation, as PLY coloured by edge length and valence (or OFF, OBJ, STL)")
+      ->type_name("FILE");
   sub.add_option("--report", c.report, "Also write everything known about the result, as JSON")
       ->type_name("FILE");
 }

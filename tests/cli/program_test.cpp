@@ -106,7 +106,7 @@ TEST_F(Program, MessagesNameTheFileAndThePlace) {
 TEST_F(Program, BuildsAClosedCageWithAReportThatObeysEuler) {
   const Outcome outcome =
       run("build " + octahedron() + " --atoms 400 --projection-interval 0 -o " + path("out.data") +
-          " --xyz " + path("out.xyz") + " --report " + path("out.json"));
+          " --xyz " + path("out.xyz") + " --mesh " + path("out.ply") + " --report " + path("out.json"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto report = nlohmann::json::parse(contents(path("out.json")));
   const auto& molecule = report["molecule"];
@@ -124,6 +124,10 @@ TEST_F(Program, BuildsAClosedCageWithAReportThatObeysEuler) {
   EXPECT_EQ(sides, 2 * bonds);
   EXPECT_THAT(contents(path("out.data")), HasSubstr(std::to_string(atoms) + " atoms"));
   EXPECT_TRUE(fs::exists(path("out.xyz")));
+  // The triangulation in the file is what the molecule is the dual of.
+  const auto mesh = nlohmann::json::parse(run("inspect --json " + path("out.ply")).out);
+  EXPECT_EQ(mesh["faces"], atoms);
+  EXPECT_EQ(mesh["vertices"], rings);
 }
 
 TEST_F(Program, SameInputAndSeedGiveTheSameBytes) {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "nanocarbon/core/version.h"
+#include "nanocarbon/mesh/distance.h"
 #include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/mesh_topology.h"
-#include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/molecule/bond_statistics.h"
 
 namespace nanocarbon {
@@ -66,16 +66,7 @@ std::size_t rings_outside_5_to_7(const Rings& rings) {
   return outside;
 }
 
-Json distances_json(std::span<const Vec3> from, const NearestPoint& to) {
-  double sum = 0.0, sum_of_squares = 0.0, largest = 0.0;
-  for (const SurfacePoint& p : to.nearest(from)) {
-    sum += p.distance;
-    sum_of_squares += p.distance * p.distance;
-    largest = std::max(largest, p.distance);
-  }
-  const double count = std::max<double>(1.0, static_cast<double>(from.size()));
-  return {{"mean", sum / count}, {"rms", std::sqrt(sum_of_squares / count)}, {"max", largest}};
-}
+Json distance_json(const DistanceStatistics& d) { return {{"mean", d.mean}, {"rms", d.rms}, {"max", d.max}}; }
 
 const char* name_of(Recipe recipe) {
   switch (recipe) {
@@ -157,10 +148,11 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
                            {"min", angles.min},
                            {"max", angles.max}};
   report["triangulation_edges"] = lengths_json(edge_lengths_of(result.triangulation), edges);
-  report["distance"] = {
-      {"atoms_to_surface", distances_json(molecule.positions, NearestPoint(result.surface.mesh))},
-      {"surface_to_triangulation",
-       distances_json(result.surface.mesh.points, NearestPoint(result.triangulation))}};
+  const SurfaceDistance triangulation = distance_between(result.triangulation, result.surface.mesh);
+  report["distance"] = {{"atoms_to_surface", distance_json(distances_to_surface(
+                                                 molecule.positions, NearestPoint(result.surface.mesh)))},
+                        {"surface_to_triangulation", distance_json(triangulation.back)},
+                        {"triangulation_to_surface", distance_json(triangulation.there)}};
   if (result.thesis) report["remeshing"] = thesis_json(*result.thesis);
   report["seconds"] = {{"remeshing", result.seconds.remeshing},
                        {"dual", result.seconds.dual},
