@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+#include "nanocarbon/mesh/triangle_mesh.h"
+
+namespace nanocarbon {
+
+//! How long crystallisation may take. CPU on one core, for each face.
+enum class CrystalQuality {
+  draft,  //!< about 0.1 ms
+  good,   //!< about 1 ms
+  best    //!< about 4 ms
+};
+
+//! What a crystallisation is asked for. Nothing else needs a choice.
+struct CrystalOptions {
+  std::size_t faces = 10000;  //!< triangles wanted, one for each atom
+  std::uint64_t seed = 1;
+  CrystalQuality quality = CrystalQuality::good;
+  //! Called now and then with what is going on and the share of the work done, 0 to 1.
+  std::function<void(std::string_view stage, double share)> progress = {};
+};
+
+//! A triangulation of nearly equal edges and few defects, and how it came about.
+struct CrystalResult {
+  TriangleMesh mesh;        //!< on the surface; same topology, pieces and border
+  double spacing = 0;       //!< edge length of the ideal crystal, in the unit of the surface
+  std::size_t defects = 0;  //!< inner vertices whose valence is not 6
+  std::size_t bad_valences =
+      0;  //!< inner vertices whose valence is outside 5 to 7; 0 wherever enough faces allow it
+  std::size_t unsound = 0;  //!< vertices with a triangle turned against the surface or folded over
+};
+
+//! \brief The best starting triangulation for a carbon molecule on a surface.
+//! \details Isotropic remeshing to the number of faces, then the vertices are annealed as repelling particles
+//! on the surface until they freeze into a crystal, then what is left of wrong valences is flipped away and
+//! edges are evened. Linear in faces; the same for the same seed. Works in any unit. \param surface an
+//! oriented 2-manifold (mesh/surface.h), closed or with border \throw UserError (size) where the surface's
+//! topology cannot be kept with so few faces
+CrystalResult crystallise(const TriangleMesh& surface, const CrystalOptions& options);
+
+}  // namespace nanocarbon
