@@ -54,6 +54,7 @@ EmbeddedGraph embedded_graph(std::span<const std::int64_t> ids, std::span<const 
 
   EmbeddedGraph graph;
   graph.elements.assign(elements.begin(), elements.end());
+  graph.ids.assign(ids.begin(), ids.end());
   graph.offsets.assign(ids.size() + 1, 0);
   for (const Row& row : rows) ++graph.offsets[row.atom + 1];
   for (std::size_t a = 0; a < ids.size(); ++a) graph.offsets[a + 1] += graph.offsets[a];

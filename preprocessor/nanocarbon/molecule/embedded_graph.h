@@ -17,8 +17,11 @@ struct EmbeddedGraph {
   std::vector<AtomIndex> ends;               //!< the neighbour that each half-edge leads to
   std::vector<Vec3> vectors;                 //!< from the atom to that neighbour, Angstrom
   std::vector<Element> elements;             //!< of each atom
+  std::vector<std::int64_t>
+      ids;  //!< names of the atoms in messages; empty: indices plus one, as in data files
 
   std::size_t atoms() const { return offsets.size() - 1; }
+  std::int64_t id(AtomIndex atom) const { return ids.empty() ? std::int64_t{atom} + 1 : ids[atom]; }
   std::uint32_t degree(AtomIndex atom) const { return offsets[atom + 1] - offsets[atom]; }
 };
 

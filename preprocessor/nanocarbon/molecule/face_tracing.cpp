@@ -44,14 +44,15 @@ double turn_to_the_left(const EmbeddedGraph& graph, const RotationSystem& r, Ato
 
 double turning(const EmbeddedGraph& graph, const RotationSystem& r, const std::vector<Step>& steps) {
   double sum = 0.0;
-  bool all_have_three_bonds = true;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const Step& arriving = steps[k];
-    const AtomIndex atom = graph.ends[arriving.half_edge];
-    all_have_three_bonds = all_have_three_bonds && r.skeleton.degree[atom] == 3;
-    sum += turn_to_the_left(graph, r, atom, arriving, steps[(k + 1) % steps.size()]);
-  }
-  return all_have_three_bonds ? full_turn : sum;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    sum +=
+        turn_to_the_left(graph, r, graph.ends[steps[k].half_edge], steps[k], steps[(k + 1) % steps.size()]);
+  return sum;
+}
+
+// A bare cycle has no sides: one of its two faces is called its inside.
+double turning_of_bare_cycle(const RotationSystem& r, const Step& first) {
+  return first.half_edge < r.next[first.half_edge] ? full_turn : -full_turn;
 }
 
 }  // namespace
@@ -74,10 +75,9 @@ Faces trace_faces(const EmbeddedGraph& graph, const RotationSystem& rotation) {
     std::rotate(steps.begin(), lowest, steps.end());
     for (const Step& s : steps) faces.atoms.push_back(tail(s));
     faces.offsets.push_back(static_cast<std::uint32_t>(faces.atoms.size()));
-    if (rotation.bare_cycle[skeleton.piece[tail(first)]])
-      faces.turning.push_back(first.reversed ? -full_turn : full_turn);
-    else
-      faces.turning.push_back(turning(graph, rotation, steps));
+    const bool bare_cycle = rotation.bare_cycle[skeleton.piece[tail(first)]] != 0;
+    faces.turning.push_back(bare_cycle ? turning_of_bare_cycle(rotation, first)
+                                       : turning(graph, rotation, steps));
   };
   for (AtomIndex a = 0; a < graph.atoms(); ++a)
     for (std::uint32_t h = graph.offsets[a]; h < graph.offsets[a + 1]; ++h) {

@@ -103,10 +103,11 @@ void orient(const EmbeddedGraph& graph, RotationSystem& r) {
   for (const auto& [a, h] : doubtful) {
     const AtomIndex end = graph.ends[h];
     if (sides.find(a).root == sides.find(end).root) {
-      r.skeleton.problem = NotASurface{fmt::format("the bond of atom {} with atom {} is twisted by a right "
-                                                   "angle, so that its sides cannot be told",
-                                                   a, end),
-                                       a};
+      r.skeleton.problem =
+          NotASurface{fmt::format("the bond of atom ID {} with atom ID {} is twisted by a right "
+                                  "angle, so that its sides cannot be told",
+                                  graph.id(a), graph.id(end)),
+                      a};
       return;
     }
     sides.join(a, end);

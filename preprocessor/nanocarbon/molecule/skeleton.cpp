@@ -36,15 +36,16 @@ std::optional<NotASurface> pair_half_edges(const EmbeddedGraph& graph, std::vect
     for (std::uint32_t h = graph.offsets[a]; h < graph.offsets[a + 1]; ++h) {
       twin[h] = find_twin(graph, a, h);
       if (twin[h] == none)
-        return NotASurface{
-            fmt::format("the bond of atom {} with atom {} is known to only one of them", a, graph.ends[h]),
-            a};
+        return NotASurface{fmt::format("the bond of atom ID {} with atom ID {} is known to only one of them",
+                                       graph.id(a), graph.id(graph.ends[h])),
+                           a};
     }
   for (std::uint32_t h = 0; h < twin.size(); ++h)
     if (twin[twin[h]] != h) {
       const AtomIndex a = graph.ends[twin[h]];
-      return NotASurface{
-          fmt::format("the bonds of atom {} with atom {} cannot be told apart", a, graph.ends[h]), a};
+      return NotASurface{fmt::format("the bonds of atom ID {} with atom ID {} cannot be told apart",
+                                     graph.id(a), graph.id(graph.ends[h])),
+                         a};
     }
   return std::nullopt;
 }
@@ -109,7 +110,8 @@ Skeleton find_skeleton(const EmbeddedGraph& graph) {
         skeleton.twin[h] = none;
     }
     if (bonds > 3) {
-      skeleton.problem = NotASurface{fmt::format("atom {} is bonded to {} carbon atoms", a, bonds), a};
+      skeleton.problem =
+          NotASurface{fmt::format("atom ID {} is bonded to {} carbon atoms", graph.id(a), bonds), a};
       return skeleton;
     }
     skeleton.degree[a] = static_cast<std::uint8_t>(bonds);

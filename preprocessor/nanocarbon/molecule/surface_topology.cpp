@@ -112,7 +112,10 @@ Judgement judge(const SurfaceTopology& start, const SurfaceTopology& now, bool s
   std::sort(after.begin(), after.end());
   if (before == after) return {Verdict::homeomorphic, "other bonds, the same surface", {}};
   if (before.size() != after.size())
-    return {Verdict::broken, fmt::format("{} pieces instead of {}", after.size(), before.size()), {}};
+    return {
+        Verdict::broken,
+        fmt::format("{} piece{} instead of {}", after.size(), after.size() == 1 ? "" : "s", before.size()),
+        {}};
   const auto [was, is] = std::mismatch(before.begin(), before.end(), after.begin());
   return {Verdict::broken, fmt::format("a piece was {}; now one is {}", describe(*was), describe(*is)), {}};
 }

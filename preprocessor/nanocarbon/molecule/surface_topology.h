@@ -23,7 +23,7 @@ struct PieceTopology {
 
 //! Why a bond graph is no surface, and the atom where.
 struct NotASurface {
-  std::string reason;  //!< names atoms by index, from 0
+  std::string reason;  //!< names atoms by ID
   AtomIndex atom;
 };
 
