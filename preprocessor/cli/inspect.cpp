@@ -68,7 +68,7 @@ Json to_json(const std::string& file, const Inspection& inspection) {
                {"volume", d.volume ? Json(*d.volume) : Json()},
                {"bounding_box", {{"low", vector_json(d.box.low)}, {"high", vector_json(d.box.high)}}}};
   Json pieces = Json::array();
-  for (const PieceTopology& p : t.piece)
+  for (const MeshPiece& p : t.piece)
     pieces.push_back({{"vertices", p.vertices},
                       {"faces", p.faces},
                       {"boundary_loops", p.boundary_loops},

@@ -75,7 +75,7 @@ void find_in_topology(const PolygonSoup& soup, const EdgeTable& edges, const Mes
     findings.add(MeshProblem::non_manifold_edge, {edges.low[e], edges.high[e]}, faces_at(edges, e));
   for (const VertexIndex v : topology.non_manifold_vertices)
     findings.add(MeshProblem::non_manifold_vertex, {v}, {});
-  for (const PieceTopology& piece : topology.piece)
+  for (const MeshPiece& piece : topology.piece)
     if (!piece.orientable)
       findings.add(MeshProblem::not_orientable, vertices_of(soup.face(piece.first_face)), {piece.first_face});
   for (const std::size_t e : topology.twisted_edges)

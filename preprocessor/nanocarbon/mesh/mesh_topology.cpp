@@ -94,7 +94,7 @@ void find_orientability(MeshTopology& topology, const EdgeTable& edges) {
     if (uses.size() == 2 && uses[0].forward == uses[1].forward) topology.twisted_edges.push_back(e);
   }
   DisjointSets sides = face_sides(topology.faces, edges);
-  for (PieceTopology& piece : topology.piece) {
+  for (MeshPiece& piece : topology.piece) {
     piece.orientable = sides.find(2 * piece.first_face) != sides.find(2 * piece.first_face + 1);
     topology.orientable = topology.orientable && piece.orientable;
   }
@@ -102,12 +102,12 @@ void find_orientability(MeshTopology& topology, const EdgeTable& edges) {
 
 }  // namespace
 
-std::int64_t PieceTopology::euler_characteristic() const {
+std::int64_t MeshPiece::euler_characteristic() const {
   return static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) +
          static_cast<std::int64_t>(faces);
 }
 
-std::int64_t PieceTopology::genus() const {
+std::int64_t MeshPiece::genus() const {
   const std::int64_t caps = 2 - euler_characteristic() - static_cast<std::int64_t>(boundary_loops);
   return orientable ? caps / 2 : caps;
 }
@@ -124,7 +124,7 @@ MeshTopology mesh_topology(const PolygonSoup& soup, const EdgeTable& edges) {
   topology.euler_characteristic = static_cast<std::int64_t>(topology.vertices) -
                                   static_cast<std::int64_t>(topology.edges) +
                                   static_cast<std::int64_t>(topology.faces);
-  for (const PieceTopology& piece : topology.piece) topology.genus += piece.genus();
+  for (const MeshPiece& piece : topology.piece) topology.genus += piece.genus();
   return topology;
 }
 

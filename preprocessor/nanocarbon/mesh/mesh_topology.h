@@ -12,7 +12,7 @@ namespace nanocarbon {
 
 //! One piece of a mesh: faces connected over edges. Where a mesh hangs together by single vertices, these
 //! count once for each sheet, so that the numbers are those of the surface that the piece is.
-struct PieceTopology {
+struct MeshPiece {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t faces = 0;
@@ -37,7 +37,7 @@ struct MeshTopology {
   bool orientable = true;
   std::int64_t genus = 0;  //!< sum over the pieces
 
-  std::vector<PieceTopology> piece;  //!< ordered by their lowest face
+  std::vector<MeshPiece> piece;  //!< ordered by their lowest face
   std::vector<std::uint32_t> piece_of_face;
   std::vector<std::size_t> non_manifold_edges;     //!< places in the edge table; more than two faces
   std::vector<VertexIndex> non_manifold_vertices;  //!< the faces around it form more than one fan

@@ -3,12 +3,12 @@
 namespace nanocarbon {
 
 Pieces connected_pieces(std::size_t atoms, std::span<const Bond> bonds) {
-  DisjointSets sets(atoms);
+  SignedSets sets(atoms);
   for (const Bond& bond : bonds) sets.join(bond.first, bond.second);
   return numbered_pieces(atoms, sets);
 }
 
-Pieces numbered_pieces(std::size_t atoms, DisjointSets& sets) {
+Pieces numbered_pieces(std::size_t atoms, SignedSets& sets) {
   Pieces pieces;
   pieces.of_atom.resize(atoms);
   for (std::uint32_t a = 0; a < atoms; ++a) {

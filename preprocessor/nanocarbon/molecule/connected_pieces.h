@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "nanocarbon/molecule/disjoint_sets.h"
 #include "nanocarbon/molecule/molecule.h"
+#include "nanocarbon/molecule/signed_sets.h"
 
 namespace nanocarbon {
 
@@ -20,6 +20,6 @@ struct Pieces {
 Pieces connected_pieces(std::size_t atoms, std::span<const Bond> bonds);
 
 //! The same from sets that are already joined.
-Pieces numbered_pieces(std::size_t atoms, DisjointSets& sets);
+Pieces numbered_pieces(std::size_t atoms, SignedSets& sets);
 
 }  // namespace nanocarbon

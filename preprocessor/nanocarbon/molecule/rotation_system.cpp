@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "nanocarbon/molecule/disjoint_sets.h"
+#include "nanocarbon/molecule/signed_sets.h"
 
 namespace nanocarbon {
 namespace {
@@ -86,7 +86,7 @@ void orient(const EmbeddedGraph& graph, RotationSystem& r) {
   };
   r.twisted.assign(graph.ends.size(), 0);
   r.one_sided.assign(r.skeleton.pieces, 0);
-  DisjointSets sides(graph.atoms());
+  SignedSets sides(graph.atoms());
   std::vector<Doubtful> doubtful;
   for (AtomIndex a = 0; a < graph.atoms(); ++a)
     for (std::uint32_t h = graph.offsets[a]; h < graph.offsets[a + 1]; ++h) {

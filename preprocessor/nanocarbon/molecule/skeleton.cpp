@@ -53,7 +53,7 @@ std::optional<NotASurface> pair_half_edges(const EmbeddedGraph& graph, std::vect
 bool is_carbon(const EmbeddedGraph& graph, AtomIndex atom) { return graph.elements[atom] == Element::carbon; }
 
 Pieces find_pieces(const EmbeddedGraph& graph) {
-  DisjointSets sets(graph.atoms());
+  SignedSets sets(graph.atoms());
   for (AtomIndex a = 0; a < graph.atoms(); ++a) {
     if (is_carbon(graph, a)) {
       for (std::uint32_t h = graph.offsets[a]; h < graph.offsets[a + 1]; ++h)

@@ -19,7 +19,7 @@ struct Spring {
   double stiffness;  // relative
 };
 
-std::vector<Spring> springs_of(const Molecule& molecule, const SpringOptions& options) {
+std::vector<Spring> springs_of(const Molecule& molecule, const SpringRelaxationOptions& options) {
   std::vector<Spring> springs;
   for (const Bond& bond : molecule.bonds) springs.push_back({bond.first, bond.second, options.bond, 1.0});
   for (std::size_t r = 0; r < molecule.rings.size(); ++r) {
@@ -50,7 +50,7 @@ double spring_energy(const std::vector<Spring>& springs, const Eigen::VectorXd& 
 
 }  // namespace
 
-SpringResult relax_by_springs(Molecule& molecule, const SpringOptions& options) {
+SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions& options) {
   const std::vector<Spring> springs = springs_of(molecule, options);
   const auto n = static_cast<Eigen::Index>(molecule.size());
   Eigen::VectorXd x(3 * n);

@@ -4,7 +4,7 @@
 
 namespace nanocarbon {
 
-struct SpringOptions {
+struct SpringRelaxationOptions {
   double bond = 1.43;  //!< rest length of bonds, Angstrom
   double ring_stiffness =
       0.3;               //!< of springs between second neighbours in a ring, relative to those of bonds
@@ -21,6 +21,6 @@ struct SpringResult {
 //! potential. \details Springs on bonds, and between second neighbours whose rest length is that of a regular
 //! flat ring, minimised by L-BFGS. Nothing is bonded or cut. \pre bonds and rings are known, and the molecule
 //! is in free space
-SpringResult relax_by_springs(Molecule& molecule, const SpringOptions& options);
+SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions& options);
 
 }  // namespace nanocarbon

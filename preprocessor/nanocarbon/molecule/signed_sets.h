@@ -9,14 +9,14 @@ namespace nanocarbon {
 
 //! Union-find whose members may be known to be alike or opposite to the others of their set. A set's root is
 //! its lowest member.
-class DisjointSets {
+class SignedSets {
  public:
   struct Place {
     std::uint32_t root;
     bool opposite;  //!< to the root
   };
 
-  explicit DisjointSets(std::size_t members) : parent_(members), opposite_(members, 0) {
+  explicit SignedSets(std::size_t members) : parent_(members), opposite_(members, 0) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
