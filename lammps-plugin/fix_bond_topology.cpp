@@ -116,7 +116,7 @@ void FixBondTopology::post_run() {
 bool FixBondTopology::is_root() const { return comm->me == 0; }
 
 RankAtoms FixBondTopology::rank_atoms() const {
-  return {atom->x, atom->type, atom->nlocal, atom->nlocal + atom->nghost, storage_.ids, element_of_type_};
+  return {atom->x[0], atom->type, atom->nlocal, atom->nlocal + atom->nghost, storage_.ids, element_of_type_};
 }
 
 std::size_t FixBondTopology::own_watched() const {
@@ -169,13 +169,13 @@ void FixBondTopology::begin_afresh() {
     if (atom->mask[i] & groupbit) storage_.ids[i] = atom->tag[i];
   }
   rebuild_candidates();
-  look(candidates_, rank_atoms(), options_.distances);
+  look(candidates_, rank_atoms());
   const Gathered gathered = gather(world, rank_atoms(), candidates_);
   if (is_root()) {
     watch_->start = start_watch(gathered.atoms, options_.topology);
     write_line(start_line(now(), watch_->start));
   }
-  adopt(candidates_, rank_atoms(), storage_.partners);
+  adopt(candidates_, rank_atoms(), options_.distances, storage_.partners);
   evaluate();
   if (is_root()) watch_->adopted = watch_->latest;
 }
@@ -202,7 +202,7 @@ void FixBondTopology::begin_from_restart() {
 // Collective. Sees what the bonds are, without making them those that hysteresis is told from.
 void FixBondTopology::look_at_bonds() {
   if (stale_) rebuild_candidates();
-  const Tally seen = tally(look(candidates_, rank_atoms(), options_.distances));
+  const Tally seen = tally(look(candidates_, rank_atoms()));
   when_ = now();
   if (seen == shown_) return;
   shown_ = seen;
@@ -211,7 +211,7 @@ void FixBondTopology::look_at_bonds() {
 
 void FixBondTopology::adopt_bonds() {
   if (shown_[0] == 0 && shown_[2] == adopted_atoms_) return;
-  adopt(candidates_, rank_atoms(), storage_.partners);
+  adopt(candidates_, rank_atoms(), options_.distances, storage_.partners);
   adopted_atoms_ = shown_[2];
   shown_ = {0, 0, adopted_atoms_};
   if (is_root()) {

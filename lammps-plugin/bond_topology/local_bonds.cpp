@@ -7,7 +7,9 @@
 namespace nanocarbon {
 namespace {
 
-Vec3 position(const RankAtoms& atoms, int atom) { return Vec3::Map(atoms.positions[atom]); }
+Vec3 position(const RankAtoms& atoms, int atom) {
+  return Vec3::Map(atoms.positions + 3 * static_cast<std::ptrdiff_t>(atom));
+}
 
 Element element(const RankAtoms& atoms, int atom) { return atoms.element_of_type[atoms.types[atom]]; }
 
@@ -23,6 +25,13 @@ bool kept_here(std::int64_t id, std::int64_t other, const Vec3& towards) {
   for (int axis = 0; axis < 3; ++axis)
     if (towards[axis] != 0.0) return towards[axis] > 0.0;
   return false;
+}
+
+double squared_reach(const RankAtoms& atoms, int atom, int other, bool before,
+                     const BondDistances& distances) {
+  const BondWindow& window = distances.of(element(atoms, atom), element(atoms, other));
+  const double reach = before ? window.breaking : window.form;
+  return reach * reach;
 }
 
 struct Near {
@@ -53,7 +62,8 @@ void add_candidates(int atom, const std::vector<Near>& near, const Partners& par
       if (!met[k] && partners.ids[k] == atoms.ids[other.atom]) bonded = met[k] = true;
     const double reach = distances.of(element(atoms, atom), element(atoms, other.atom)).form + skin;
     if (bonded || other.square < reach * reach)
-      candidates.pairs.push_back({atom, other.atom, bonded, bonded});
+      candidates.pairs.push_back(
+          {atom, other.atom, squared_reach(atoms, atom, other.atom, bonded, distances), bonded, bonded});
   }
   for (int k = 0; k < partners.count; ++k)
     if (!met[k]) candidates.parted.push_back({atoms.ids[atom], partners.ids[k]});
@@ -92,17 +102,14 @@ CandidateBonds find_candidates(const RankAtoms& atoms, std::span<const Partners>
   return result;
 }
 
-LocalChanges look(CandidateBonds& candidates, const RankAtoms& atoms, const BondDistances& distances) {
+LocalChanges look(CandidateBonds& candidates, const RankAtoms& atoms) {
   LocalChanges changes;
   for (const BondedIds& bond : candidates.parted) {
     ++changes.count;
     changes.hash += hash_of(bond.first, bond.second, false);
   }
   for (CandidateBond& pair : candidates.pairs) {
-    const BondWindow& window = distances.of(element(atoms, pair.owned), element(atoms, pair.other));
-    const double reach = pair.before ? window.breaking : window.form;
-    const double square = (position(atoms, pair.other) - position(atoms, pair.owned)).squaredNorm();
-    pair.now = square < reach * reach;
+    pair.now = (position(atoms, pair.other) - position(atoms, pair.owned)).squaredNorm() < pair.squared_reach;
     if (pair.now == pair.before) continue;
     ++changes.count;
     changes.hash += hash_of(atoms.ids[pair.owned], atoms.ids[pair.other], pair.now);
@@ -110,11 +117,14 @@ LocalChanges look(CandidateBonds& candidates, const RankAtoms& atoms, const Bond
   return changes;
 }
 
-void adopt(CandidateBonds& candidates, const RankAtoms& atoms, std::span<Partners> partners) {
+void adopt(CandidateBonds& candidates, const RankAtoms& atoms, const BondDistances& distances,
+           std::span<Partners> partners) {
   for (int atom = 0; atom < atoms.owned; ++atom) partners[atom].count = 0;
   for (CandidateBond& pair : candidates.pairs) {
-    pair.before = pair.now;
     if (pair.now) partners[pair.owned].add(atoms.ids[pair.other]);
+    if (pair.now == pair.before) continue;
+    pair.before = pair.now;
+    pair.squared_reach = squared_reach(atoms, pair.owned, pair.other, pair.before, distances);
   }
   candidates.parted.clear();
 }

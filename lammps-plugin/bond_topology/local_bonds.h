@@ -11,8 +11,8 @@ namespace nanocarbon {
 
 //! Atoms as one MPI rank of LAMMPS holds them: its own first, then copies of others' ("ghosts") near by.
 struct RankAtoms {
-  double* const* positions;  //!< Angstrom
-  const int* types;          //!< LAMMPS's atom types, from 1
+  const double* positions;  //!< three for each atom, Angstrom
+  const int* types;         //!< LAMMPS's atom types, from 1
   int owned;
   int all;
   std::span<const std::int64_t> ids;  //!< of each atom when the watch began; 0: not watched
@@ -35,9 +35,10 @@ struct Partners {
 //! A pair that is bonded or could be before the next reneighbouring; the owned atom has the lower ID.
 struct CandidateBond {
   int owned;
-  int other;    //!< owned or ghost
-  bool before;  //!< bonded at the last look that was adopted
-  bool now;     //!< bonded at the latest look
+  int other;             //!< owned or ghost
+  double squared_reach;  //!< nearer than this the pair is bonded; by hysteresis, depends on `before`
+  bool before;           //!< bonded at the last look that was adopted
+  bool now;              //!< bonded at the latest look
 };
 
 struct CandidateBonds {
@@ -59,9 +60,10 @@ struct LocalChanges {
 };
 
 //! Sets `now` from the distances, with hysteresis against `before`. Costs one distance a pair.
-LocalChanges look(CandidateBonds& candidates, const RankAtoms& atoms, const BondDistances& distances);
+LocalChanges look(CandidateBonds& candidates, const RankAtoms& atoms);
 
 //! Makes `now` what was before, in the candidates and in the partners of the owned atoms.
-void adopt(CandidateBonds& candidates, const RankAtoms& atoms, std::span<Partners> partners);
+void adopt(CandidateBonds& candidates, const RankAtoms& atoms, const BondDistances& distances,
+           std::span<Partners> partners);
 
 }  // namespace nanocarbon

@@ -66,8 +66,8 @@ Gathered gather(MPI_Comm world, const RankAtoms& atoms, const CandidateBonds& ca
   std::vector<BondRecord> own_bonds;
   for (const CandidateBond& pair : candidates.pairs) {
     if (!pair.now) continue;
-    const double* const from = atoms.positions[pair.owned];
-    const double* const to = atoms.positions[pair.other];
+    const double* const from = atoms.positions + 3 * static_cast<std::ptrdiff_t>(pair.owned);
+    const double* const to = atoms.positions + 3 * static_cast<std::ptrdiff_t>(pair.other);
     own_bonds.push_back(
         {atoms.ids[pair.owned], atoms.ids[pair.other], {to[0] - from[0], to[1] - from[1], to[2] - from[2]}});
   }
