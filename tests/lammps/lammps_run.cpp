@@ -70,7 +70,7 @@ void LammpsRun::read(const Molecule& molecule, const std::string& pair,
   commands(before);
   commands({"read_data " + folder / "molecule.data", "pair_style " + pair});
   if (pair.starts_with("rebo"))
-    command("pair_coeff * * " NANOCARBON_CH_REBO " C H");
+    command("pair_coeff * * " + rebo_parameters() + " C H");
   else
     command("pair_coeff * *");
   command("timestep 0.0005");
@@ -155,6 +155,8 @@ SharedFolder::~SharedFolder() {
   std::error_code ignored;
   if (is_root()) std::filesystem::remove_all(path_, ignored);
 }
+
+std::string rebo_parameters() { return NANOCARBON_CH_REBO; }
 
 bool is_root() {
   int rank = 0;

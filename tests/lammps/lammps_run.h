@@ -60,6 +60,9 @@ class SharedFolder {
   std::filesystem::path path_;
 };
 
+//! The path of LAMMPS's CH.rebo.
+std::string rebo_parameters();
+
 bool is_root();
 int ranks();
 
