@@ -68,34 +68,45 @@ bool is_better(const PolygonSoup& joined, const Borders& before) {
   return after.edges < before.edges && after.manifold;
 }
 
+// Joins, and returns how many vertices, if the result is accepted; 0 otherwise.
+std::size_t try_to_join(PolygonSoup& soup, const CoincidentPoints& coincident, const Borders& before,
+                        bool always) {
+  if (coincident.duplicates == 0) return 0;
+  PolygonSoup joined = soup;
+  join(joined, coincident);
+  if (!always && !is_better(joined, before)) return 0;
+  soup = std::move(joined);
+  return coincident.duplicates;
+}
+
+bool shares_nothing(const PolygonSoup& soup) {
+  return soup.faces() > 1 && soup.corners.size() <= soup.points.size() &&
+         mesh_topology(soup, edge_table(soup)).pieces == soup.faces();
+}
+
 }  // namespace
 
 std::optional<std::string> join_seams(PolygonSoup& soup) {
-  const Borders borders = borders_of(soup);
+  Borders borders = borders_of(soup);
   if (borders.edges == 0) return std::nullopt;
-  const auto try_to_join = [&](const CoincidentPoints& coincident,
-                               bool whatever_comes) -> std::optional<std::string> {
-    if (coincident.duplicates == 0) return std::nullopt;
-    PolygonSoup joined = soup;
-    join(joined, coincident);
-    if (!whatever_comes && !is_better(joined, borders)) return std::nullopt;
-    soup = std::move(joined);
-    return fmt::format("joined {} border vertices to others at the same place", coincident.duplicates);
-  };
-
-  const bool nothing_shared = soup.faces() > 1 && soup.corners.size() <= soup.points.size() &&
-                              coincident_points(soup.points).duplicates > 0 &&
-                              mesh_topology(soup, edge_table(soup)).pieces == soup.faces();
   const auto exactly = [](const std::vector<Vec3>& points) { return coincident_points(points); };
-  if (auto done = try_to_join(among_border_vertices(soup, borders, exactly), nothing_shared)) return done;
-  if (soup.has_vertex_numbers) return std::nullopt;
-  const double tolerance =
-      std::min(1e-6 * bounding_box(soup.points).diagonal(), 0.01 * borders.median_length);
-  if (!(tolerance > 0.0)) return std::nullopt;
-  const auto nearly = [&](const std::vector<Vec3>& points) { return points_within(points, tolerance); };
-  auto done = try_to_join(among_border_vertices(soup, borders, nearly), false);
-  if (done) *done += fmt::format(" within {:.3g} mesh units", tolerance);
-  return done;
+  std::size_t joined =
+      try_to_join(soup, among_border_vertices(soup, borders, exactly), borders, shares_nothing(soup));
+  std::string within = "the same place";
+  if (!soup.has_vertex_numbers) {
+    if (joined > 0) borders = borders_of(soup);
+    const double tolerance =
+        std::min(1e-6 * bounding_box(soup.points).diagonal(), 0.01 * borders.median_length);
+    const auto nearly = [&](const std::vector<Vec3>& points) { return points_within(points, tolerance); };
+    if (tolerance > 0.0)
+      if (const std::size_t more =
+              try_to_join(soup, among_border_vertices(soup, borders, nearly), borders, false)) {
+        joined += more;
+        within = fmt::format("a place within {:.3g} mesh units", tolerance);
+      }
+  }
+  if (joined == 0) return std::nullopt;
+  return fmt::format("joined {} border vertices to others at {}", joined, within);
 }
 
 }  // namespace nanocarbon
