@@ -82,16 +82,20 @@ class EarCutter {
 
   void consider(std::size_t i) {
     ++stamp_[i];
-    const Vec2 &a = flat_[previous_[i]], &b = flat_[i], &c = flat_[next_[i]];
     if (turn(i) <= 0.0) return;
-    // Corners that have become convex or are gone block no ear any more.
-    std::erase_if(not_convex_, [&](std::size_t j) { return gone(j) || turn(j) > 0.0; });
-    for (const std::size_t j : not_convex_)
-      if (flat_[j] != a && flat_[j] != b && flat_[j] != c && holds(a, b, c, flat_[j])) return;
+    // A corner that has become convex blocks no ear any more.
+    if (const auto at = std::lower_bound(not_convex_.begin(), not_convex_.end(), i);
+        at != not_convex_.end() && *at == i)
+      not_convex_.erase(at);
+    const Vec2 &a = flat_[previous_[i]], &b = flat_[i], &c = flat_[next_[i]];
+    const Vec2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    for (const std::size_t j : not_convex_) {
+      const Vec2& p = flat_[j];
+      if (p.x() < low.x() || p.x() > high.x() || p.y() < low.y() || p.y() > high.y()) continue;
+      if (p != a && p != b && p != c && holds(a, b, c, p)) return;
+    }
     ears_.push({shape(a, b, c), i, stamp_[i]});
   }
-
-  bool gone(std::size_t i) const { return next_[previous_[i]] != i; }
 
   void remove(std::size_t i) {
     triangles_.push_back({corners_[previous_[i]], corners_[i], corners_[next_[i]]});
@@ -104,7 +108,7 @@ class EarCutter {
   std::span<const VertexIndex> corners_;
   std::vector<Triangle>& triangles_;
   std::vector<std::size_t> previous_, next_;
-  std::vector<std::size_t> not_convex_;
+  std::vector<std::size_t> not_convex_;  // sorted; cut off as ears are only convex corners
   std::vector<std::uint32_t> stamp_;
   std::priority_queue<Ear> ears_;
 };

@@ -1,0 +1,64 @@
+#include "fuzz/check_mesh.h"
+
+#include <algorithm>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/read_mesh.h"
+#include "nanocarbon/mesh/surface.h"
+
+namespace nanocarbon::test {
+namespace {
+
+std::string broken_by_soup(const PolygonSoup& soup) {
+  if (!std::all_of(soup.points.begin(), soup.points.end(), [](const Vec3& p) { return p.allFinite(); }))
+    return "a point is not finite";
+  if (!std::all_of(soup.corners.begin(), soup.corners.end(),
+                   [&](VertexIndex v) { return v < soup.points.size(); }))
+    return "a corner is out of range";
+  if (soup.offsets.front() != 0 || soup.offsets.back() != soup.corners.size())
+    return "the offsets do not fit the corners";
+  for (std::size_t face = 0; face < soup.faces(); ++face)
+    if (soup.offsets[face] + 3 > soup.offsets[face + 1]) return "a face has fewer than three corners";
+  return {};
+}
+
+// What LoadedSurface promises, asked of the mesh itself.
+std::string broken_by_surface(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return "a usable mesh has no triangles";
+  const std::string broken = broken_by_soup(soup_of(mesh));
+  if (!broken.empty()) return broken;
+  const MeshTopology topology = mesh_topology(mesh);
+  if (!topology.manifold()) return "a usable mesh is not manifold";
+  if (!topology.orientable || !topology.consistently_wound()) return "a usable mesh is not wound alike";
+  if (topology.vertices != mesh.points.size()) return "a usable mesh has unused vertices";
+  std::int64_t euler = 0;
+  for (const PieceTopology& piece : topology.piece) {
+    euler += piece.euler_characteristic();
+    const auto loops = static_cast<std::int64_t>(piece.boundary_loops);
+    if (piece.genus() < 0 || piece.euler_characteristic() != 2 - 2 * piece.genus() - loops)
+      return "Euler's formula";
+  }
+  if (euler != topology.euler_characteristic) return "Euler's formula over the pieces";
+  if (topology.pieces == 1 && topology.closed() && signed_volume(mesh) < 0.0)
+    return "a usable mesh is inside-out";
+  return {};
+}
+
+}  // namespace
+
+std::string broken_promise(std::string_view contents, const std::string& file) {
+  try {
+    const PolygonSoup soup = parse_mesh(contents, file);
+    const std::string broken = broken_by_soup(soup);
+    if (!broken.empty()) return broken;
+    const RepairedSurface repaired = repair_surface(soup);
+    return repaired.diagnosis.usable() ? broken_by_surface(repaired.mesh) : std::string();
+  } catch (const UserError& error) {
+    return std::string_view(error.what()).find(file) == std::string_view::npos
+               ? "the message does not name the file"
+               : "";
+  }
+}
+
+}  // namespace nanocarbon::test

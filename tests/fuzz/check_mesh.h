@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace nanocarbon::test {
+
+//! \brief Reads and repairs a mesh as a user's file would be, whatever the bytes.
+//! \return "" where it was refused as the user's error or came out as promised; else what promise was broken.
+//! Anything but a UserError passes through.
+std::string broken_promise(std::string_view contents, const std::string& file);
+
+}  // namespace nanocarbon::test
