@@ -33,7 +33,7 @@ std::string broken_by_surface(const TriangleMesh& mesh) {
   if (!topology.orientable || !topology.consistently_wound()) return "a usable mesh is not wound alike";
   if (topology.vertices != mesh.points.size()) return "a usable mesh has unused vertices";
   std::int64_t euler = 0;
-  for (const PieceTopology& piece : topology.piece) {
+  for (const MeshPiece& piece : topology.piece) {
     euler += piece.euler_characteristic();
     const auto loops = static_cast<std::int64_t>(piece.boundary_loops);
     if (piece.genus() < 0 || piece.euler_characteristic() != 2 - 2 * piece.genus() - loops)
