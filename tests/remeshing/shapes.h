@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
 namespace nanocarbon::test {
@@ -99,6 +100,14 @@ inline TriangleMesh equilateral_sheet(double edge, int columns, int rows) {
   return grid(columns, rows, {false, false}, [&](double u, double v) {
     return Vec3(edge * (u * columns - 0.5 * v * rows), edge * std::sqrt(0.75) * v * rows, 0.0);
   });
+}
+
+//! The shape scaled so that this many equilateral triangles, with the edge that bonds of 1.2 to 1.8 Angstrom ask for,
+//! have its area.
+inline TriangleMesh sized(TriangleMesh mesh, double triangles) {
+  const double scale = std::sqrt(triangles * 0.75 * std::numbers::sqrt3 * 1.5 * 1.5 / area(mesh));
+  for (Vec3& p : mesh.points) p *= scale;
+  return mesh;
 }
 
 }  // namespace nanocarbon::test

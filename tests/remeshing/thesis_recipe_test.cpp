@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/remeshing/atom_count.h"
 #include "remeshing/shapes.h"
 #include "remeshing/topology.h"
 
@@ -11,7 +10,7 @@ namespace nanocarbon {
 namespace {
 
 ThesisResult remeshed(const TriangleMesh& surface, std::size_t atoms, ThesisOptions options = {}) {
-  return remesh_by_thesis(scaled(surface, scale_for_atoms(surface, atoms, options)), options);
+  return remesh_by_thesis(test::sized(surface, static_cast<double>(atoms)), options);
 }
 
 TEST(ThesisRecipe, KeepsTheTopologyOfShapesFinerAndCoarserThanTheTarget) {

@@ -48,6 +48,9 @@ BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& opti
   stage.lap();
 
   ThesisOptions with_progress = thesis;
+  // Sizes that are a number of atoms leave the scale to the remeshing, which knows what number comes out.
+  if (std::holds_alternative<AtomCount>(options.size) || std::holds_alternative<AtomPerTriangle>(options.size))
+    with_progress.atoms = result.surface.atoms;
   if (options.progress)
     with_progress.progress = [&](const ThesisProgress& p) {
       options.progress("remeshing", static_cast<double>(p.iteration) / p.max_iterations);
@@ -55,6 +58,8 @@ BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& opti
   result.thesis = remesh_by_thesis(result.surface.mesh, with_progress);
   result.triangulation = std::move(result.thesis->mesh);
   result.thesis->mesh = {};
+  result.surface.scale *= result.thesis->scale;
+  for (Vec3& point : result.surface.mesh.points) point *= result.thesis->scale;
   result.seconds.remeshing = stage.lap();
 
   require_same_topology(mesh_topology(result.surface.mesh), mesh_topology(result.triangulation));

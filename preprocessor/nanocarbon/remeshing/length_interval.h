@@ -22,7 +22,8 @@ LengthInterval edge_interval(double min_bond, double max_bond);
 //! \details min(2 m_i, m) -+ (l_max - l_min)/2: a fine mesh at most doubles its mean edge at a time. As
 //! written the lower end falls below m_i, and at last below zero, where m_i is less than the half-width;
 //! nothing would be collapsed any more. The half-width is therefore at most m_i, which changes nothing for
-//! larger m_i. \param mean_length m_i, the mean edge of the mesh as it is
+//! larger m_i.
+//! \param mean_length m_i, the mean edge of the mesh as it is
 LengthInterval interpolated_interval(const LengthInterval& target, double mean_length);
 
 }  // namespace nanocarbon

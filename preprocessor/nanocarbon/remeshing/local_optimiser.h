@@ -28,8 +28,9 @@ struct StarEdge {
 };
 
 //! \brief The edges outside the interval, those with most short and long edges around first (list L_p^o,
-//! section 4.4). \details The neighbourhood of an edge is every edge that ends at a vertex at most `rings`
-//! rings away from either of its ends. Equal counts stay in the order of the vertices.
+//! section 4.4).
+//! \details The neighbourhood of an edge is every edge that ends at a vertex at most `rings` rings away from
+//! either of its ends. Equal counts stay in the order of the vertices.
 std::vector<StarEdge> local_priority_list(const VertexStars& stars, const LengthInterval& interval,
                                           unsigned rings);
 

@@ -7,7 +7,7 @@ namespace nanocarbon {
 LowPassResult low_pass_filter(VertexStars& stars, unsigned rings) {
   const auto n = static_cast<std::ptrdiff_t>(stars.vertices());
   std::vector<Vec3> moves(stars.vertices(), Vec3::Zero());
-#pragma omp parallel
+#pragma omp parallel if (n > least_points_for_threads)
   {
     RingSearch search(stars);
 #pragma omp for schedule(static)

@@ -10,10 +10,11 @@ struct LowPassResult {
 };
 
 //! \brief Moves every vertex, in its tangent plane, to the weighted centre of its stars up to the k-th
-//! (Algorithm 5). \details A vertex of ring r has weight 1/r. All new places are found before any vertex
-//! moves; border vertices stay. As printed the sum starts from v_j itself though v_j is not counted in the
-//! weights' sum `fat`; that would move a regular lattice far from the origin, so the sum starts from zero
-//! here, as the text of section 4.3 has it (the centre of mass of its neighbours). \param rings k, at least 1
+//! (Algorithm 5).
+//! \details A vertex of ring r has weight 1/r. All new places are found before any vertex moves; border
+//! vertices stay. Line 5 as printed adds every neighbour to v_j; it is read as a sum that starts from zero,
+//! as the text of section 4.3 has it (the centre of mass of its neighbours).
+//! \param rings k, at least 1
 LowPassResult low_pass_filter(VertexStars& stars, unsigned rings);
 
 }  // namespace nanocarbon

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nanocarbon/mesh/nearest_point.h"
+#include "nanocarbon/remeshing/vertex_stars.h"
 
 namespace nanocarbon {
 namespace {
@@ -83,7 +84,7 @@ ProjectionTotals project_points(std::vector<Vec3>& points, const ProjectionMesh&
                                 unsigned nearest_vertices) {
   const auto n = static_cast<std::ptrdiff_t>(points.size());
   std::vector<double> moves(points.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n > least_points_for_threads)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const auto v = static_cast<std::size_t>(i);
     const Vec3 projected = surface.project(points[v], nearest_vertices);

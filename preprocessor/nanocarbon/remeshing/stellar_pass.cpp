@@ -80,7 +80,7 @@ StellarTotals stellar_pass(Triangulation& mesh, const StellarOptions& options) {
     if (mesh.status(e).deleted()) continue;
     const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
     const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
-    if (mark(a) && mark(b)) continue;
+    if (options.marks == VisitedMarks::either_end ? mark(a) || mark(b) : mark(a) && mark(b)) continue;
     const Vec3 pa = mesh.point(a), pb = mesh.point(b);
     const double length = (pb - pa).norm();
     const auto place = [&](std::span<const Vec3> neighbours) {

@@ -34,7 +34,12 @@ struct ThesisOptions {
   double local_threshold =
       5.0;  //!< s: percentage of edges outside at or below which optimisation is local; below 0 never
 
+  //! 0 keeps the surface's scale, as the thesis. Else the scale is adjusted on the way until the result has
+  //! about this many faces, an atom each; ThesisResult::scale then tells by how much.
+  std::size_t atoms = 0;
+
   StellarPosition stellar_position = StellarPosition::least_error;
+  VisitedMarks marks = VisitedMarks::either_end;
   ValenceError valence_error = ValenceError::quadratic;
   bool repeat_valences = true;    //!< the valence optimiser repeats until nothing improves
   unsigned nearest_vertices = 5;  //!< of the projection mesh, around which triangles are candidates

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/remeshing/low_pass_filter.h"
@@ -58,14 +60,14 @@ class Recipe {
 
   ThesisResult run() {
     timed(result_.seconds.total, [&] {
-      EdgeCounts edges = record();
-      while (edges.outside() > 0 && result_.iterations < options_.iterations) {
+      edges_ = record();
+      while (edges_.outside() > 0 && result_.iterations < options_.iterations) {
         iterate();
         ++result_.iterations;
-        edges = record();
-        if (options_.progress) options_.progress({result_.iterations, options_.iterations, edges});
+        edges_ = record();
+        if (options_.progress) options_.progress({result_.iterations, options_.iterations, edges_});
       }
-      result_.stop = edges.outside() > 0 ? ThesisStop::iteration_limit : ThesisStop::converged;
+      result_.stop = edges_.outside() > 0 ? ThesisStop::iteration_limit : ThesisStop::converged;
       finish();
     });
     return std::move(result_);
@@ -79,6 +81,9 @@ class Recipe {
   }
 
   bool uses_local_optimisation() const { return options_.local_threshold >= 0.0; }
+  bool optimises_locally() const {
+    return uses_local_optimisation() && edges_.percent_outside() <= options_.local_threshold;
+  }
 
   //! Lines 5 to 16.
   void iterate() {
@@ -89,16 +94,18 @@ class Recipe {
       ++result_.projection_replacements;
     }
     timed(result_.seconds.stellar, [&] {
-      const LengthInterval interpolated = interpolated_interval(interval_, mean_edge_length(mesh_));
-      add(result_.stellar,
-          stellar_pass(mesh_, {interpolated, interval_.mean(), options_.stellar_position, {}}));
+      StellarOptions stellar;
+      stellar.interval = interpolated_interval(interval_, mean_edge_length(mesh_));
+      stellar.target_length = interval_.mean();
+      stellar.position = options_.stellar_position;
+      stellar.marks = options_.marks;
+      add(result_.stellar, stellar_pass(mesh_, stellar));
     });
     timed(result_.seconds.valence, [&] {
       add(result_.valence, optimise_valences(mesh_, {options_.valence_error, options_.repeat_valences, {}}));
     });
     VertexStars stars = vertex_stars(mesh_);
-    if (uses_local_optimisation() &&
-        count_edges(mesh_, interval_).percent_outside() <= options_.local_threshold) {
+    if (optimises_locally()) {
       timed(result_.seconds.local, [&] { add(result_.local, optimise_locally(stars, local_options(true))); });
       ++result_.local_iterations;
     } else {
@@ -108,6 +115,24 @@ class Recipe {
     timed(result_.seconds.projection,
           [&] { return project_points(stars.points, projection_mesh_, options_.nearest_vertices); });
     set_points(mesh_, stars);
+    adjust_scale();
+  }
+
+  //! Brings the count of faces towards the one asked for. Scaling the lengths by which edges are judged is
+  //! the same as scaling surface and mesh the other way, which finish() does once. Small steps, so that a
+  //! pass of stellar operations keeps up; none while the mesh is still far finer or coarser than its target.
+  void adjust_scale() {
+    if (options_.atoms == 0) return;
+    const double mean_ratio = mean_edge_length(mesh_) / interval_.mean();
+    if (mean_ratio < 0.9 || mean_ratio > 1.15) return;
+    const double excess = static_cast<double>(mesh_.n_faces()) / static_cast<double>(options_.atoms);
+    // Local optimisation mends single edges: it is disturbed only for a count that has drifted.
+    const bool local = optimises_locally();
+    if (local && std::abs(excess - 1.0) < 0.01) return;
+    const double limit = local ? 0.002 : 0.01;
+    const double factor = std::clamp(std::sqrt(excess), 1.0 - limit, 1.0 + limit);
+    interval_ = {interval_.min * factor, interval_.max * factor};
+    result_.scale /= factor;
   }
 
   //! Lines 18 and 19, and the counts of the result.
@@ -118,6 +143,9 @@ class Recipe {
     if (options_.post_processing == PostProcessing::at_end)
       timed(result_.seconds.post_processing,
             [&] { add(result_.post_processing, optimise_locally(stars, local_options(false))); });
+    // Where the interval was scaled, the mesh is brought to the one that was asked for.
+    for (Vec3& p : stars.points) p *= result_.scale;
+    interval_ = edge_interval(options_.min_bond, options_.max_bond);
     set_points(mesh_, stars);
     result_.edges = count_edges(mesh_, interval_);
     result_.mean_edge = mean_edge_length(mesh_);
@@ -133,9 +161,10 @@ class Recipe {
   }
 
   const ThesisOptions& options_;
-  LengthInterval interval_;
+  LengthInterval interval_;  // l_min and l_max; scaled where a number of atoms is asked for
   Triangulation mesh_;
   ProjectionMesh projection_mesh_;
+  EdgeCounts edges_;  // of the mesh at the end of the last iteration
   ThesisResult result_;
 };
 

@@ -32,6 +32,8 @@ struct ThesisSeconds {
 
 struct ThesisResult {
   TriangleMesh mesh;  //!< Angstrom; its dual (molecule/dual.h) is the molecule
+  double scale =
+      1.0;  //!< the mesh lies on the surface given times this; other than 1 only with ThesisOptions::atoms
   unsigned iterations = 0;
   ThesisStop stop = ThesisStop::iteration_limit;
   std::vector<EdgeCounts> history;  //!< of the surface as given, then after every iteration
@@ -50,12 +52,13 @@ struct ThesisResult {
 };
 
 //! \brief Adaptive remeshing (Algorithm 1), up to but without the dual.
-//! \details `iter` and `i` of the listing are one counter, `r` is k, and the percentage of line 10 is that of
-//! the edges outside [l_min, l_max] after the valence optimiser. Line 6 replaces the projection mesh also at
-//! i = 0, by the copy it already is. Lines 18 and 19 do nothing on a mesh that converged, for their priority
-//! lists are empty. The result's topology is the surface's. \param surface Angstrom: scaled already (see
-//! scale_for_atoms()) \pre bond lengths are above zero and in order \throw UserError (unsuitable) where the
-//! surface is not an oriented 2-manifold or a point is not finite
+//! \details Where the listing leaves room: `iter` and `i` are one counter and `r` is k. The percentage of
+//! line 10 is that of the `short` and `long` which line 4 tests, counted at the end of the iteration before.
+//! Line 6 at i = 0 replaces the projection mesh by the copy it already is. Lines 18 and 19 find empty
+//! priority lists on a mesh that converged. The result has the topology of the surface.
+//! \param surface Angstrom: scaled already (see scale_for_atoms())
+//! \pre bond lengths are above zero and in order
+//! \throw UserError (unsuitable) where the surface is not an oriented 2-manifold or a point is not finite
 ThesisResult remesh_by_thesis(const TriangleMesh& surface, const ThesisOptions& options);
 
 }  // namespace nanocarbon

@@ -25,12 +25,12 @@ struct ValenceTotals {
 };
 
 //! \brief Flips edges while that brings the valences of their four vertices nearer to the ideal (Algorithm
-//! 4). \details As printed the algorithm keeps a flip when the error stays equal, and then sets `improved`:
-//! it would flip such an edge to and fro for ever. A flip is kept here only when the error falls, as the text
-//! of section 4.2 says
-//! ("if the value is reduced, the operation is maintained"); the total error then falls by at least one with
-//! each flip, so it ends. The error after is computed without flipping. Ideal is 6, and 4 on borders
-//! (Surazhsky and Gotsman; the thesis does not say).
+//! 4).
+//! \details As printed the algorithm keeps a flip when the error stays equal, and then sets `improved`: it
+//! would flip such an edge to and fro for ever. A flip is kept here only when the error falls, as the text of
+//! section 4.2 says ("if the value is reduced, the operation is maintained"); the total error then falls by
+//! at least one with each flip, so it ends. The error after is computed without flipping. Ideal is 6, and 4
+//! on borders (Surazhsky and Gotsman; the thesis does not say).
 ValenceTotals optimise_valences(Triangulation& mesh, const ValenceOptions& options);
 
 }  // namespace nanocarbon

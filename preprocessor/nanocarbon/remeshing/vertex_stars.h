@@ -10,7 +10,8 @@
 namespace nanocarbon {
 
 //! \brief The first stars (one-rings) of all vertices in compressed rows, and the points, side by side in
-//! memory. \details What the steps that move points work on: a snapshot of the connectivity of a compacted
+//! memory.
+//! \details What the steps that move points work on: a snapshot of the connectivity of a compacted
 //! triangulation.
 struct VertexStars {
   std::vector<std::uint32_t> offsets;  //!< vertices + 1
@@ -25,10 +26,14 @@ struct VertexStars {
   }
 };
 
+//! Below this many points threads cost more than they save.
+constexpr std::ptrdiff_t least_points_for_threads = 20000;
+
 //! \pre the triangulation is compact
 VertexStars vertex_stars(const Triangulation& mesh);
 
-//! Puts the points back. \pre the triangulation has the connectivity it had when the stars were taken
+//! Puts the points back.
+//! \pre the triangulation has the connectivity it had when the stars were taken
 void set_points(Triangulation& mesh, const VertexStars& stars);
 
 //! The unit normal of a vertex, by the areas of its faces; zero where they cancel.
