@@ -6,6 +6,7 @@
 
 #include "build.h"
 #include "inspect.h"
+#include "make.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/version.h"
 
@@ -19,6 +20,7 @@ int run(int argc, char** argv) {
   // The work of a subcommand is done by its callback, which parse() runs.
   nanocarbon::add_inspect(app);
   nanocarbon::add_build(app);
+  nanocarbon::add_make(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {

@@ -72,6 +72,8 @@ SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions&
     iterations = solver.minimize(objective, x, energy);
   } catch (const std::runtime_error&) {
     // The line search found nothing better than x: as good as it gets.
+  } catch (const std::logic_error&) {
+    // Rounding turned the search direction uphill, which happens only close to the minimum.
   }
   for (Eigen::Index i = 0; i < n; ++i) molecule.positions[static_cast<std::size_t>(i)] = x.segment<3>(3 * i);
 

@@ -1,0 +1,167 @@
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "make.h"
+#include "make_output.h"
+#include "nanocarbon/structures/implicit_shapes.h"
+#include "nanocarbon/structures/shapes.h"
+
+namespace nanocarbon {
+namespace {
+
+//! One `make mesh SHAPE`: its options fill a Shape, which `make` turns into a mesh.
+template <typename Shape>
+struct ShapeCommand {
+  Shape shape;
+  MeshOutput output;
+};
+
+template <typename Shape>
+std::shared_ptr<ShapeCommand<Shape>> add_shape(CLI::App& mesh, const char* name, const char* description,
+                                               const std::function<TriangleMesh(const Shape&)>& make) {
+  CLI::App& sub = *mesh.add_subcommand(name, description);
+  auto command = std::make_shared<ShapeCommand<Shape>>();
+  sub.callback([command, make] { write_shape(command->output, make(command->shape)); });
+  add_mesh_output(sub, command->output);
+  return command;
+}
+
+void length(CLI::App& mesh, const char* shape, const char* option, double& value, const char* description) {
+  mesh.get_subcommand(shape)
+      ->add_option(option, value, std::string(description) + ", mesh units")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void add_sphere(CLI::App& mesh) {
+  struct Sphere {
+    double radius = 1.0;
+    int subdivisions = 10;
+  };
+  const auto c = add_shape<Sphere>(mesh, "sphere", "A sphere of 20 S^2 triangles",
+                                   [](const Sphere& s) { return make_sphere(s.radius, s.subdivisions); });
+  length(mesh, "sphere", "--radius", c->shape.radius, "Radius");
+  mesh.get_subcommand("sphere")
+      ->add_option("--subdivisions", c->shape.subdivisions, "Parts S of each edge of an icosahedron")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
+void add_hemisphere(CLI::App& mesh) {
+  struct Hemisphere {
+    double radius = 1.0, edge = 0.1;
+  };
+  const auto c = add_shape<Hemisphere>(mesh, "hemisphere", "Half a sphere, with a border",
+                                       [](const Hemisphere& s) { return make_hemisphere(s.radius, s.edge); });
+  length(mesh, "hemisphere", "--radius", c->shape.radius, "Radius");
+  length(mesh, "hemisphere", "--edge", c->shape.edge, "Length of the edges of its triangles");
+}
+
+//! A capsule, or a cylinder with two borders.
+void add_straight(CLI::App& mesh, const char* name, const char* description,
+                  TriangleMesh (*make)(double radius, double length, double edge)) {
+  struct Straight {
+    double radius = 1.0, length = 4.0, edge = 0.15;
+  };
+  const auto c = add_shape<Straight>(mesh, name, description,
+                                     [make](const Straight& s) { return make(s.radius, s.length, s.edge); });
+  length(mesh, name, "--radius", c->shape.radius, "Radius");
+  length(mesh, name, "--length", c->shape.length, "Length of the straight part");
+  length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
+}
+
+//! A torus, or two grown together.
+void add_rings(CLI::App& mesh, const char* name, const char* description,
+               TriangleMesh (*make)(double major, double minor, double edge)) {
+  struct RingShape {
+    double major = 2.0, minor = 0.8, edge = 0.18;
+  };
+  const auto c = add_shape<RingShape>(mesh, name, description,
+                                      [make](const RingShape& s) { return make(s.major, s.minor, s.edge); });
+  length(mesh, name, "--major", c->shape.major, "Radius of the circle along the middle of the tube");
+  length(mesh, name, "--minor", c->shape.minor, "Radius of the tube");
+  length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
+}
+
+void add_helix(CLI::App& mesh) {
+  const auto c = add_shape<HelixShape>(mesh, "helix", "A tube along a helix", make_helix);
+  length(mesh, "helix", "--coil-radius", c->shape.coil_radius, "Radius of the helix");
+  length(mesh, "helix", "--tube-radius", c->shape.tube_radius, "Radius of the tube");
+  length(mesh, "helix", "--pitch", c->shape.pitch, "Rise in one turn");
+  length(mesh, "helix", "--edge", c->shape.edge, "Length of the edges of its triangles");
+  CLI::App& sub = *mesh.get_subcommand("helix");
+  sub.add_option("--turns", c->shape.turns, "Number of turns")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  sub.add_flag("--open", c->shape.open, "Borders at both ends, instead of round ends");
+}
+
+void add_junction(CLI::App& mesh) {
+  struct Junction {
+    JunctionShape shape;
+    std::string kind = "y";
+  };
+  const auto c = add_shape<Junction>(mesh, "junction", "Tubes that meet", [](const Junction& junction) {
+    JunctionShape shape = junction.shape;
+    using Kind = JunctionShape::Kind;
+    shape.kind = junction.kind == "y" ? Kind::y : junction.kind == "t" ? Kind::t : Kind::x;
+    return make_junction(shape);
+  });
+  CLI::App& sub = *mesh.get_subcommand("junction");
+  sub.add_option("--kind", c->shape.kind,
+                 "Three arms at 120 degrees (y), three as a T (t), four as a cross (x)")
+      ->check(CLI::IsMember({"y", "t", "x"}))
+      ->capture_default_str();
+  JunctionShape& shape = c->shape.shape;
+  length(mesh, "junction", "--tube-radius", shape.tube_radius, "Radius of the tubes");
+  length(mesh, "junction", "--arm-length", shape.arm_length, "From the middle to the end of each arm");
+  length(mesh, "junction", "--blend", shape.blend, "Width over which the crease between arms is rounded");
+  length(mesh, "junction", "--edge", shape.edge, "Length of the edges of its triangles");
+  sub.add_flag("!--closed", shape.open, "Round ends, instead of borders");
+}
+
+void add_minimal_surface(CLI::App& mesh, const char* name, const char* description,
+                         MinimalSurfacePiece::Kind kind) {
+  const auto c = add_shape<MinimalSurfacePiece>(mesh, name, description, make_minimal_surface_piece);
+  c->shape.kind = kind;
+  length(mesh, name, "--period", c->shape.period, "Period of the surface");
+  length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
+  CLI::App& sub = *mesh.get_subcommand(name);
+  sub.add_option("--cells", c->shape.cells, "Edge of the cube that it is cut out of, in periods")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  sub.add_option("--thickness", c->shape.thickness,
+                 "Close it: the surface of a shell this thick around it, mesh units (0: the surface itself, "
+                 "with borders)")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_make_mesh(CLI::App& make) {
+  CLI::App& mesh = *make.add_subcommand("mesh", "A smooth shape as a triangle mesh, for 'nanocarbon build'");
+  mesh.require_subcommand(1);
+  add_sphere(mesh);
+  add_hemisphere(mesh);
+  add_straight(mesh, "capsule", "A cylinder with round ends", make_capsule);
+  add_straight(mesh, "cylinder", "A cylinder with two borders", make_cylinder);
+  add_rings(mesh, "torus", "A torus", make_torus);
+  add_rings(mesh, "genus-two", "Two tori side by side, grown together", make_genus_two);
+  add_helix(mesh);
+  add_junction(mesh);
+  add_minimal_surface(mesh, "gyroid-piece", "A cube's worth of the gyroid",
+                      MinimalSurfacePiece::Kind::gyroid);
+  add_minimal_surface(mesh, "schwarz-p-piece", "A cube's worth of Schwarz's P surface",
+                      MinimalSurfacePiece::Kind::schwarz_p);
+  add_minimal_surface(mesh, "schwarz-d-piece", "A cube's worth of Schwarz's D surface",
+                      MinimalSurfacePiece::Kind::schwarz_d);
+  mesh.footer(R"(Lengths are in mesh units; 'nanocarbon build' has options for the size in Angstrom.
+Examples:
+  nanocarbon make mesh torus --major 3 --minor 1 --edge 0.2 -o torus.off
+  nanocarbon make mesh junction --kind y --tube-radius 1 --arm-length 5 -o junction.off
+  nanocarbon make mesh gyroid-piece --cells 1.5 -o gyroid.ply)");
+}
+
+}  // namespace nanocarbon

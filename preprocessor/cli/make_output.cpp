@@ -1,0 +1,87 @@
+#include "make_output.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "command_text.h"
+#include "nanocarbon/core/version.h"
+#include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/write_mesh.h"
+#include "nanocarbon/molecule/atom_style.h"
+#include "nanocarbon/molecule/bond_statistics.h"
+#include "nanocarbon/molecule/lammps_data.h"
+#include "nanocarbon/molecule/xyz.h"
+
+namespace nanocarbon {
+namespace {
+
+std::string ring_counts(const Molecule& molecule) {
+  std::map<std::size_t, std::size_t> counts;
+  for (std::size_t r = 0; r < molecule.rings.size(); ++r) ++counts[molecule.rings[r].size()];
+  std::string text;
+  for (const auto& [size, count] : counts) text += fmt::format(", {} rings of {}", count, size);
+  return text;
+}
+
+//! Checks a file's extension before any work is done.
+CLI::Validator named(const std::set<std::string>& extensions) {
+  return CLI::Validator(
+      [extensions](std::string& path) {
+        if (extensions.contains(std::filesystem::path(path).extension().string())) return std::string();
+        return fmt::format("{}: name the file with one of the extensions {}", path,
+                           fmt::join(extensions, ", "));
+      },
+      "");
+}
+
+}  // namespace
+
+void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output) {
+  subcommand.add_option("-o,--output", output.path, "File to write: .data (LAMMPS) or .xyz (extended XYZ)")
+      ->required()
+      ->check(named({".data", ".xyz"}))
+      ->type_name("FILE");
+  subcommand.add_option("--atom-style", output.atom_style, "LAMMPS atom style")
+      ->check(CLI::IsMember({"atomic", "charge", "molecular", "full"}))
+      ->capture_default_str();
+  subcommand
+      .add_option("--margin", output.margin, "Empty box around the atoms where it is not periodic, Angstrom")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  subcommand.add_flag("-q,--quiet", output.quiet, "Print nothing but errors");
+}
+
+void write_molecule(const MoleculeOutput& output, const Molecule& molecule, const CLI::App& subcommand) {
+  const std::string extension = output.path.extension().string();
+  const std::string made_by = fmt::format("{} (nanocarbon {})", command_text(subcommand), version);
+  if (extension == ".data")
+    write_lammps_data(output.path, molecule,
+                      {*atom_style_from_name(output.atom_style), output.margin, made_by});
+  else
+    write_xyz(output.path, molecule, made_by);
+  if (output.quiet) return;
+  const Spread bonds = spread(bond_lengths(molecule));
+  fmt::print("{}: {} atoms, {} bonds of {:.3f} to {:.3f} Angstrom{}\n", output.path.string(), molecule.size(),
+             molecule.bonds.size(), bonds.min, bonds.max, ring_counts(molecule));
+}
+
+void add_mesh_output(CLI::App& subcommand, MeshOutput& output) {
+  subcommand.add_option("-o,--output", output.path, "File to write: .off, .obj, .ply or .stl")
+      ->required()
+      ->check(named({".off", ".obj", ".ply", ".stl"}))
+      ->type_name("FILE");
+  subcommand.add_flag("-q,--quiet", output.quiet, "Print nothing but errors");
+}
+
+void write_shape(const MeshOutput& output, const TriangleMesh& mesh) {
+  write_mesh(output.path, mesh);
+  if (output.quiet) return;
+  const MeshTopology t = mesh_topology(mesh);
+  fmt::print("{}: {} vertices, {} triangles, genus {}, {} boundary loops\n", output.path.string(), t.vertices,
+             t.faces, t.genus, t.boundary_loops);
+}
+
+}  // namespace nanocarbon

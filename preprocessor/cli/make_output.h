@@ -1,0 +1,32 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+#include "nanocarbon/mesh/triangle_mesh.h"
+#include "nanocarbon/molecule/molecule.h"
+
+namespace nanocarbon {
+
+//! Where a made structure goes, and how.
+struct MoleculeOutput {
+  std::filesystem::path path;  //!< .data or .xyz
+  std::string atom_style = "molecular";
+  double margin = 10.0;  //!< Angstrom
+  bool quiet = false;
+};
+//! The options of an output; another extension is an error on the command line.
+void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output);
+
+//! Writes it in the format of the path's extension, and a line about it to the terminal.
+void write_molecule(const MoleculeOutput& output, const Molecule& molecule, const CLI::App& subcommand);
+
+struct MeshOutput {
+  std::filesystem::path path;  //!< .off, .obj, .ply or .stl
+  bool quiet = false;
+};
+void add_mesh_output(CLI::App& subcommand, MeshOutput& output);
+void write_shape(const MeshOutput& output, const TriangleMesh& mesh);
+
+}  // namespace nanocarbon

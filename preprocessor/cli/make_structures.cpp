@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "make.h"
+#include "make_output.h"
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/structures/diamond.h"
+#include "nanocarbon/structures/fullerene.h"
+#include "nanocarbon/structures/graphene.h"
+#include "nanocarbon/structures/onion.h"
+#include "nanocarbon/structures/schwarzite.h"
+
+namespace nanocarbon {
+namespace {
+
+//! A number of cells for each edge of a crystal, or one number for all.
+std::array<int, 3> three(const std::vector<int>& cells) {
+  if (cells.size() == 3) return {cells[0], cells[1], cells[2]};
+  return {cells.at(0), cells.at(0), cells.at(0)};
+}
+
+void add_cells(CLI::App& sub, std::vector<int>& cells) {
+  sub.add_option("--cells", cells, "Unit cells along each edge: one number for all, or three")
+      ->expected(1, 3)
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
+  sub.parse_complete_callback([&cells] {
+    if (cells.size() == 2)
+      throw UserError(Failure::usage, "--cells takes one number, or three: along x, y and z");
+  });
+}
+
+}  // namespace
+
+void add_make_graphene(CLI::App& make) {
+  struct Command {
+    std::vector<double> size = {50.0, 50.0};
+    std::vector<int> cells;
+    double flake = 0.0;
+    MoleculeOutput output;
+  };
+  CLI::App& sub = *make.add_subcommand("graphene", "A sheet of graphene, periodic, or a flake of it");
+  const auto c = std::make_shared<Command>();
+  auto* shape = sub.add_option_group("Size", "One of these");
+  shape
+      ->add_option("--size", c->size,
+                   "Lengths of a periodic sheet along zigzag (x) and armchair (y), Angstrom")
+      ->expected(2)
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  shape->add_option("--cells", c->cells, "Rectangular cells of 4 atoms along x and y, instead")
+      ->expected(2)
+      ->check(CLI::Range(1, 20000));
+  shape->add_option("--flake", c->flake, "A flake in free space of this radius, Angstrom, instead")
+      ->check(CLI::Range(1.5, 5000.0));
+  shape->require_option(0, 1);
+  add_molecule_output(sub, c->output);
+  sub.footer(R"(Examples:
+  nanocarbon make graphene --size 100 100 -o sheet.data
+  nanocarbon make graphene --flake 20 -o flake.xyz)");
+  sub.callback([c, &sub] {
+    const Molecule molecule = c->flake > 0.0      ? graphene_flake(c->flake)
+                              : !c->cells.empty() ? graphene(c->cells[0], c->cells[1])
+                                                  : graphene_sheet(c->size[0], c->size[1]);
+    write_molecule(c->output, molecule, sub);
+  });
+}
+
+void add_make_fullerene(CLI::App& make) {
+  struct Command {
+    int h = 0, k = 0;
+    MoleculeOutput output;
+  };
+  CLI::App& sub = *make.add_subcommand("fullerene", "An icosahedral fullerene, by its Goldberg pair");
+  const auto c = std::make_shared<Command>();
+  sub.add_option("H", c->h, "First Goldberg index")->required()->check(CLI::NonNegativeNumber);
+  sub.add_option("K", c->k, "Second Goldberg index; it has 20 (H^2 + H K + K^2) atoms")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  add_molecule_output(sub, c->output);
+  sub.footer(
+      R"(C20 is 1 0, C60 is 1 1, C80 is 2 0, C140 is 2 1 (and its mirror image 1 2), C240 is 2 2, C540 is 3 3.
+Examples:
+  nanocarbon make fullerene 1 1 -o c60.data
+  nanocarbon make fullerene 5 3 -o c980.xyz)");
+  sub.callback([c, &sub] { write_molecule(c->output, fullerene(c->h, c->k), sub); });
+}
+
+void add_make_onion(CLI::App& make) {
+  struct Command {
+    int shells = 3, innermost = 1;
+    MoleculeOutput output;
+  };
+  CLI::App& sub = *make.add_subcommand("onion", "Icosahedral fullerenes (k, k) around each other");
+  const auto c = std::make_shared<Command>();
+  sub.add_option("--shells", c->shells, "How many fullerenes")
+      ->check(CLI::Range(1, 60))
+      ->capture_default_str();
+  sub.add_option("--innermost", c->innermost, "k of the innermost one: 1 is C60, 2 is C240, ...")
+      ->check(CLI::Range(1, 400))
+      ->capture_default_str();
+  add_molecule_output(sub, c->output);
+  sub.footer(
+      R"(Shells are about 3.5 Angstrom apart and not bonded. REBO2 has no attraction between them; AIREBO has.
+Example:
+  nanocarbon make onion --shells 4 -o onion.data)");
+  sub.callback([c, &sub] { write_molecule(c->output, onion(c->innermost, c->shells), sub); });
+}
+
+void add_make_diamond(CLI::App& make) {
+  struct Command {
+    std::vector<int> cells = {5};
+    MoleculeOutput output;
+  };
+  CLI::App& sub = *make.add_subcommand("diamond", "Diamond, periodic, cubic cells of 8 atoms");
+  const auto c = std::make_shared<Command>();
+  add_cells(sub, c->cells);
+  add_molecule_output(sub, c->output);
+  sub.footer("Example:\n  nanocarbon make diamond --cells 4 -o diamond.data");
+  sub.callback([c, &sub] {
+    const auto [x, y, z] = three(c->cells);
+    write_molecule(c->output, diamond(x, y, z), sub);
+  });
+}
+
+void add_make_schwarzite(CLI::App& make) {
+  struct Command {
+    std::string kind;
+    std::vector<int> cells = {2};
+    MoleculeOutput output;
+  };
+  CLI::App& sub = *make.add_subcommand("schwarzite", "A schwarzite of hexagons and octagons, periodic");
+  const auto c = std::make_shared<Command>();
+  sub.add_option("KIND", c->kind,
+                 "p688 (48 atoms in a cubic cell of 7.80 Angstrom) or d688 (24 atoms, 6.06 Angstrom)")
+      ->required()
+      ->check(CLI::IsMember({"p688", "d688"}));
+  add_cells(sub, c->cells);
+  add_molecule_output(sub, c->output);
+  sub.footer("Example:\n  nanocarbon make schwarzite p688 --cells 3 -o p688.data");
+  sub.callback([c, &sub] {
+    const auto [x, y, z] = three(c->cells);
+    write_molecule(c->output, c->kind == "p688" ? schwarzite_p688(x, y, z) : schwarzite_d688(x, y, z), sub);
+  });
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "make.h"
+#include "make_output.h"
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/structures/capped_tube.h"
+#include "nanocarbon/structures/tube.h"
+
+namespace nanocarbon {
+namespace {
+
+struct TubeCommand {
+  int n = 0, m = 0;
+  double length = 50.0;  // Angstrom
+  std::string ends = "open";
+  bool periodic = false;
+  MoleculeOutput output;
+};
+
+//! The whole number of periods closest to a length.
+Molecule periodic_tube_of_length(int n, int m, double length) {
+  if (n < 0 || m < 0 || n + m == 0) return periodic_tube(n, m, 1);  // which says what is wrong
+  const double periods = std::round(length / tube_geometry(n, m).period);
+  if (periods > 1e8) throw UserError(Failure::usage, "the tube is too long; take a shorter --length");
+  return periodic_tube(n, m, std::max(1, static_cast<int>(periods)));
+}
+
+Molecule make_tube(const TubeCommand& c) {
+  if (c.periodic && c.ends == "capped")
+    throw UserError(Failure::usage, "--periodic and --ends capped exclude each other; leave one out");
+  if (c.periodic || c.ends == "periodic") return periodic_tube_of_length(c.n, c.m, c.length);
+  return c.ends == "capped" ? capped_tube(c.n, c.m, c.length) : open_tube(c.n, c.m, c.length);
+}
+
+}  // namespace
+
+void add_make_tube(CLI::App& make) {
+  CLI::App& sub = *make.add_subcommand("tube", "A carbon nanotube of any chirality, by its Hamada indices");
+  const auto c = std::make_shared<TubeCommand>();
+  sub.add_option("N", c->n, "First Hamada index; (n, n) is armchair, (n, 0) zigzag")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  sub.add_option("M", c->m, "Second Hamada index; (n, m) and (m, n) are mirror images")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  sub.add_option(
+         "--length", c->length,
+         "Length, Angstrom; of a periodic tube rounded to whole periods, of a capped one without its caps")
+      ->check(CLI::Range(0.1, 1e7))
+      ->capture_default_str();
+  sub.add_option("--ends", c->ends,
+                 "open (cut straight), periodic, or capped (6 pentagons at each end, for n + m of 6 or more)")
+      ->check(CLI::IsMember({"open", "periodic", "capped"}))
+      ->capture_default_str();
+  sub.add_flag("--periodic", c->periodic, "The same as --ends periodic");
+  add_molecule_output(sub, c->output);
+  sub.footer(
+      R"(Radii and periods are those of a rolled graphene sheet with bonds of 1.4204 Angstrom; relax them in LAMMPS.
+A cap is the roundest one with a pentagon in its middle, without neighbouring pentagons where there is such a one:
+half a C60 for (5, 5) and (9, 0), half a C240 for (10, 10).
+Examples:
+  nanocarbon make tube 10 10 --length 100 --periodic -o tube.data
+  nanocarbon make tube 7 3 --length 60 -o open.data
+  nanocarbon make tube 9 0 --length 30 --ends capped -o capped.xyz)");
+  sub.callback([c, &sub] { write_molecule(c->output, make_tube(*c), sub); });
+}
+
+}  // namespace nanocarbon
