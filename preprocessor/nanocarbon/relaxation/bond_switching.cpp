@@ -14,7 +14,7 @@ constexpr std::size_t kBatch = 8;  // trials on one state; fixed, so that thread
 
 // A hundredth more or less than the target costs about k T in small molecules, and no less than 1/N in large
 // ones.
-double default_penalty(double target) { return std::max(1 / target, 5000 / (target * target)); }
+double default_penalty(double target) { return std::max(1 / target, 20000 / (target * target)); }
 
 // Rings that are no hexagons, with constant-time updates and an order that depends only on the history.
 class DefectList {
@@ -208,6 +208,7 @@ double relax_state(SwitchingState& state, const TetherSurface& surface, int max_
       minimise_fixed_bonds(model, &surface, state.positions,
                            {.max_iterations = max_iterations, .force_tolerance = force_tolerance});
   state.planes = std::move(model.planes);
+  state.mean_height = mean_height(state.planes, state.positions);
   state.contacts = std::move(model.contacts);
   state.contacts.renew(state.positions, model.rebo2.graph.neighbours);
   return relaxed.energy;

@@ -27,33 +27,39 @@ void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::
 
 }  // namespace
 
-DualRelaxationResult relax_dual(Molecule& molecule, const TetherSurface& surface,
-                                const DualRelaxationOptions& options) {
+DualRelaxationResult relax_network(const FixedBondRebo2::Graph& graph, std::vector<Vec3>& positions,
+                                   const TetherSurface& surface, const DualRelaxationOptions& options) {
   FixedBondModel model;
-  model.rebo2.graph = fixed_bond_graph(molecule);
+  model.rebo2.graph = graph;
   model.tether = options.tether;
-  relax_by_springs(model, surface, molecule.positions, options.max_iterations);
+  relax_by_springs(model, surface, positions, options.max_iterations);
   DualRelaxationResult result;
   LbfgsResult relaxed;
   for (unsigned attempt = 0; attempt <= options.untangling_attempts; ++attempt) {
     relaxed = minimise_fixed_bonds(
-        model, &surface, molecule.positions,
+        model, &surface, positions,
         {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});
-    const std::vector<AtomIndex> tangled = tangled_atoms(molecule.positions, model.rebo2.graph);
+    const std::vector<AtomIndex> tangled = tangled_atoms(positions, model.rebo2.graph);
     if (tangled.empty() || attempt == options.untangling_attempts) break;
-    result.untangled = untangle(molecule.positions, model.rebo2.graph, surface, tangled, 3 + 2 * attempt);
-    relax_by_springs(model, surface, molecule.positions, options.max_iterations);
+    result.untangled = untangle(positions, model.rebo2.graph, surface, tangled, 3 + 2 * attempt);
+    relax_by_springs(model, surface, positions, options.max_iterations);
   }
 
-  std::vector<Vec3> gradient(molecule.size(), Vec3::Zero());
-  result.energy = model.rebo2.evaluate(molecule.positions, gradient);
+  std::vector<Vec3> gradient(positions.size(), Vec3::Zero());
+  result.energy = model.rebo2.evaluate(positions, gradient);
   result.max_force = relaxed.max_force;
-  const GeometryCheck check = check_geometry(molecule.positions, model.rebo2.graph);
+  const GeometryCheck check = check_geometry(positions, model.rebo2.graph);
   result.shortest_bond = check.shortest_bond;
   result.longest_bond = check.longest_bond;
   result.closest_unbonded = check.closest_unbonded;
-  for (const Vec3& p : molecule.positions) result.mean_distance += surface.distance(p) / molecule.size();
+  for (const Vec3& p : positions)
+    result.mean_distance += surface.distance(p) / static_cast<double>(positions.size());
   return result;
+}
+
+DualRelaxationResult relax_dual(Molecule& molecule, const TetherSurface& surface,
+                                const DualRelaxationOptions& options) {
+  return relax_network(fixed_bond_graph(molecule), molecule.positions, surface, options);
 }
 
 }  // namespace nanocarbon

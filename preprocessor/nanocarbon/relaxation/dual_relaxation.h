@@ -1,6 +1,7 @@
 #pragma once
 
 #include "nanocarbon/molecule/molecule.h"
+#include "nanocarbon/relaxation/fixed_bond_rebo2.h"
 #include "nanocarbon/relaxation/surface_tether.h"
 
 namespace nanocarbon {
@@ -28,5 +29,9 @@ struct DualRelaxationResult {
 //! Angstrom, rough bonds of any length; at most three bonds for each atom
 DualRelaxationResult relax_dual(Molecule& molecule, const TetherSurface& surface,
                                 const DualRelaxationOptions& options = {});
+
+//! The same for bare positions on a bond graph, as annealing keeps them.
+DualRelaxationResult relax_network(const FixedBondRebo2::Graph& graph, std::vector<Vec3>& positions,
+                                   const TetherSurface& surface, const DualRelaxationOptions& options = {});
 
 }  // namespace nanocarbon

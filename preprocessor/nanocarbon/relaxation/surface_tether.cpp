@@ -69,11 +69,18 @@ std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span
   return planes;
 }
 
+double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions) {
+  double sum = 0;
+  for (std::size_t a = 0; a < positions.size(); ++a) sum += height_above(planes[a], positions[a]);
+  return positions.empty() ? 0 : sum / static_cast<double>(positions.size());
+}
+
 double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,
                   std::span<Vec3> gradient) {
+  const double mean = mean_height(planes, positions);
   double energy = 0;
   for (std::size_t a = 0; a < positions.size(); ++a) {
-    const double height = (positions[a] - planes[a].point).dot(planes[a].normal);
+    const double height = height_above(planes[a], positions[a]) - mean;
     gradient[a] += stiffness * height * planes[a].normal;
     energy += 0.5 * stiffness * height * height;
   }

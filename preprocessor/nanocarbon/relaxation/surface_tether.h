@@ -37,8 +37,18 @@ class TetherSurface {
 //! Planes for all positions.
 std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions);
 
-//! Adds (stiffness / 2) h^2 over all atoms, h the distance to the atom's plane; stiffness in eV/Angstrom^2,
-//! result in eV.
+//! Height of a position above a plane, Angstrom.
+inline double height_above(const TangentPlane& plane, const Vec3& position) {
+  return (position - plane.point).dot(plane.normal);
+}
+
+//! Mean height of all atoms above their planes, Angstrom.
+double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions);
+
+//! \brief Adds (stiffness / 2)(h - mean h)^2 over all atoms, h the height above the atom's plane.
+//! \details The mean is free: curved sheets of carbon rest at a slightly other size than flat ones, and
+//! holding them to the surface itself would press for more or fewer atoms. \param stiffness eV/Angstrom^2
+//! \return eV
 double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,
                   std::span<Vec3> gradient);
 

@@ -31,6 +31,7 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
   distance_.clear();
   radius_ = radius;
   tether_ = state.tether;
+  mean_height_ = state.mean_height;
   const auto take = [&](AtomIndex a, unsigned distance) {
     if (a == no_atom || local_of_[a] != no_atom) return;
     local_of_[a] = static_cast<AtomIndex>(global_.size());
@@ -161,7 +162,7 @@ double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span
   double energy = rebo2_.evaluate(positions_, gradient_);
   for (std::size_t k = 0; k < free_; ++k) {
     if (!atoms_[k].exists()) continue;
-    const double height = (positions_[k] - planes_[k].point).dot(planes_[k].normal);
+    const double height = height_above(planes_[k], positions_[k]) - mean_height_;
     gradient_[k] += tether_ * height * planes_[k].normal;
     energy += 0.5 * tether_ * height * height;
   }

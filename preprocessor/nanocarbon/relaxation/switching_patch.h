@@ -15,6 +15,7 @@ struct SwitchingState {
   std::vector<Vec3> positions;
   std::vector<TangentPlane> planes;
   double tether = 0.05;     //!< eV/Angstrom^2
+  double mean_height = 0;   //!< Angstrom, where the tether is at rest; as of the last relaxation of the whole
   StericContacts contacts;  //!< as of the last relaxation of the whole
 };
 
@@ -62,6 +63,7 @@ class SwitchingPatch {
   std::size_t free_ = 0;
   unsigned radius_ = 0;
   double tether_ = 0;
+  double mean_height_ = 0;
 
   void list_bonds();
   void list_contacts(const SwitchingState& state);

@@ -1,0 +1,195 @@
+#include "nanocarbon/relaxation/anneal_recipe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nanocarbon/relaxation/bond_switching.h"
+#include "nanocarbon/relaxation/dual_relaxation.h"
+#include "nanocarbon/relaxation/geometry_check.h"
+#include "nanocarbon/relaxation/minimise_rebo2.h"
+#include "nanocarbon/relaxation/refine_network.h"
+
+namespace nanocarbon {
+
+namespace {
+
+constexpr std::size_t kCoarsest = 450;  // atoms: fewer cannot show a shape
+
+// What REBO2 must see, with a margin for what happens when the tether goes: whole bonds end at 1.7 Angstrom,
+// and other atoms are seen from 2.0.
+constexpr double kSafeBond = 1.62, kSafeDistance = 2.1;
+
+struct Level {
+  SwitchingState state;
+  double unannealed = 0;  // eV for each atom
+  double energy = 0;      // eV for each atom, with tether
+  std::size_t accepted = 0;
+  bool sound = false;
+};
+
+double tether_for(const AnnealOptions& options, std::size_t atoms) {
+  if (options.tether >= 0) return options.tether;
+  return atoms <= 2500 ? 0.05 : 0.01;
+}
+
+Level start_level(const TriangleMesh& surface, double scale, std::size_t atoms,
+                  const Triangulator& triangulate, const AnnealOptions& options, std::uint64_t seed) {
+  Level level;
+  TriangleMesh mesh = triangulate(surface, atoms, seed);
+  for (Vec3& p : mesh.points) p *= scale;
+  level.state.network = trivalent_network(mesh);
+  for (const Triangle& t : mesh.triangles)
+    level.state.positions.push_back((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
+  level.state.tether = tether_for(options, atoms);
+  return level;
+}
+
+void relax_level(Level& level, const TetherSurface& tether_surface) {
+  const auto relaxed = relax_network(fixed_bond_graph(level.state.network), level.state.positions,
+                                     tether_surface, {.tether = level.state.tether});
+  level.unannealed = relaxed.energy / static_cast<double>(level.state.positions.size());
+  level.sound = relaxed.longest_bond < kSafeBond && relaxed.closest_unbonded > kSafeDistance;
+}
+
+// Switches bonds until REBO2 would see the bonds that are meant, a little at a time and without heat.
+void mend_level(Level& level, const TetherSurface& tether_surface, BondSwitchingOptions options) {
+  options.hot = options.cold = 0.2;
+  options.blocks = 1;
+  options.trials_per_defect = 5;
+  options.tether = level.state.tether;
+  for (int round = 0; round < 4 && !level.sound; ++round) {
+    options.seed += 100;
+    level.accepted += anneal_bonds(level.state, tether_surface, options).accepted;
+    relax_level(level, tether_surface);
+  }
+}
+
+void anneal_level(Level& level, const TetherSurface& tether_surface, BondSwitchingOptions options) {
+  options.tether = level.state.tether;
+  const BondSwitchingResult result = anneal_bonds(level.state, tether_surface, options);
+  level.energy = result.energy;
+  level.accepted += result.accepted;
+}
+
+int refinements_for(std::size_t atoms, AnnealQuality quality) {
+  if (quality == AnnealQuality::draft) return 0;
+  int levels = 0;
+  while (levels < 2 && (atoms >> (2 * (levels + 1))) >= kCoarsest) ++levels;
+  return levels;
+}
+
+class Recipe {
+ public:
+  Recipe(const TriangleMesh& surface, std::size_t atoms, const Triangulator& triangulate,
+         const AnnealOptions& options)
+      : surface_(surface), atoms_(atoms), triangulate_(triangulate), options_(options) {}
+
+  AnnealResult run() {
+    AnnealResult result;
+    result.refinements = refinements_for(atoms_, options_.quality);
+    Level level = coarse_level(result.refinements);
+    result.unannealed_energy = level.unannealed;
+    for (int left = result.refinements - 1; left >= 0; --left) refine(level, left);
+    finish(level, result);
+    return result;
+  }
+
+ private:
+  double scale(int refinements) const { return std::ldexp(1.0, -refinements); }
+  std::size_t atoms(int refinements) const { return atoms_ >> (2 * refinements); }
+
+  BondSwitchingOptions switching(std::size_t target) const {
+    BondSwitchingOptions switching;
+    switching.target_atoms = target;
+    switching.seed = options_.seed;
+    switching.threads = options_.threads;
+    return switching;
+  }
+
+  void tell(std::string_view stage, double share) const {
+    if (options_.progress) options_.progress(stage, share);
+  }
+
+  Level coarse_level(int refinements) {
+    const TetherSurface tether_surface(surface_, scale(refinements));
+    tell("triangulating", 0);
+    const int attempts = options_.quality == AnnealQuality::best ? 4 : refinements > 0 ? 2 : 1;
+    Level best;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      Level level = start_level(surface_, scale(refinements), atoms(refinements), triangulate_, options_,
+                                options_.seed + static_cast<std::uint64_t>(attempt));
+      relax_level(level, tether_surface);
+      if (options_.quality == AnnealQuality::draft) {
+        mend_level(level, tether_surface, switching(atoms(refinements)));
+      } else {
+        BondSwitchingOptions coarse = switching(atoms(refinements));
+        coarse.hot = 0.5;
+        coarse.cold = 0.2;
+        coarse.blocks = 24;
+        coarse.trials_per_defect = 100;
+        coarse.seed += 1000 * static_cast<std::uint64_t>(attempt);
+        coarse.progress = [&](int block, double, std::size_t, std::size_t) {
+          tell("annealing", (attempt + (block + 1.0) / coarse.blocks) / attempts);
+        };
+        anneal_level(level, tether_surface, coarse);
+      }
+      if (attempt == 0 || level.energy < best.energy) best = std::move(level);
+    }
+    return best;
+  }
+
+  void refine(Level& level, int left) {
+    const TetherSurface tether_surface(surface_, scale(left));
+    level.state = refined_in_four(level.state, tether_surface);
+    level.state.tether = tether_for(options_, atoms(left));
+    const double unannealed = level.unannealed;
+    relax_level(level, tether_surface);
+    level.unannealed = unannealed;
+    BondSwitchingOptions fine = switching(atoms(left));
+    fine.hot = 0.35;
+    fine.cold = 0.2;
+    fine.blocks = 8;
+    fine.trials_per_defect = 60;
+    fine.progress = [&](int block, double, std::size_t, std::size_t) {
+      tell("annealing refined", (block + 1.0) / fine.blocks);
+    };
+    anneal_level(level, tether_surface, fine);
+  }
+
+  void finish(Level& level, AnnealResult& result) {
+    tell("minimising", 0);
+    const TetherSurface tether_surface(surface_, 1);
+    // Without the tether, still on fixed bonds: the way to the minimum may stretch bonds that the end does
+    // not.
+    FixedBondModel model;
+    model.rebo2.graph = fixed_bond_graph(level.state.network);
+    minimise_fixed_bonds(model, nullptr, level.state.positions,
+                         {.max_iterations = 2000, .force_tolerance = 3 * options_.force_tolerance});
+    result.molecule = molecule_of(level.state.network, level.state.positions);
+    const auto relaxed = minimise_rebo2(result.molecule, {.force_tolerance = options_.force_tolerance});
+    result.energy = relaxed.energy / static_cast<double>(result.molecule.size());
+    result.max_force = relaxed.max_force;
+    result.intact = relaxed.intact;
+    result.accepted = level.accepted;
+    const GeometryCheck check = check_geometry(result.molecule.positions, model.rebo2.graph);
+    result.shortest_bond = check.shortest_bond;
+    result.longest_bond = check.longest_bond;
+    result.closest_unbonded = check.closest_unbonded;
+    for (const Vec3& p : result.molecule.positions)
+      result.mean_distance += tether_surface.distance(p) / static_cast<double>(result.molecule.size());
+  }
+
+  const TriangleMesh& surface_;
+  const std::size_t atoms_;
+  const Triangulator& triangulate_;
+  const AnnealOptions& options_;
+};
+
+}  // namespace
+
+AnnealResult anneal(const TriangleMesh& surface, std::size_t atoms, const Triangulator& triangulate,
+                    const AnnealOptions& options) {
+  return Recipe(surface, atoms, triangulate, options).run();
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+#include "nanocarbon/mesh/triangle_mesh.h"
+#include "nanocarbon/molecule/molecule.h"
+
+namespace nanocarbon {
+
+//! How much time may be spent on a molecule. CPU on one core, for each atom up to 10,000.
+enum class AnnealQuality {
+  draft,  //!< dual relaxation alone, below 1 ms
+  good,   //!< defects annealed, below 20 ms
+  best    //!< several attempts and slower cooling, below 100 ms
+};
+
+//! Makes a triangulation of a surface with about the given number of faces, in the surface's unit.
+using Triangulator =
+    std::function<TriangleMesh(const TriangleMesh& surface, std::size_t faces, std::uint64_t seed)>;
+
+struct AnnealOptions {
+  AnnealQuality quality = AnnealQuality::good;
+  double tether = -1;             //!< eV/Angstrom^2 to the surface while annealing; below zero: by size
+  double force_tolerance = 1e-3;  //!< eV/Angstrom, of the last minimisation
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  std::function<void(std::string_view stage, double share)> progress = {};
+};
+
+struct AnnealResult {
+  Molecule molecule;  //!< with rings; at a minimum of the full REBO2 energy
+  double unannealed_energy =
+      0;                 //!< eV for each atom, of dual relaxation alone at the level where annealing began
+  double energy = 0;     //!< eV for each atom
+  double max_force = 0;  //!< eV/Angstrom
+  double mean_distance = 0;     //!< of the atoms to the surface, Angstrom
+  double shortest_bond = 0;     //!< Angstrom
+  double longest_bond = 0;      //!< Angstrom
+  double closest_unbonded = 0;  //!< Angstrom, at most 2.2 (geometry_check.h)
+  bool intact = false;          //!< REBO2 sees exactly the molecule's bonds
+  int refinements = 0;          //!< times the triangulation was cut in four
+  std::size_t accepted = 0;     //!< bond switches made
+};
+
+//! \brief The default recipe: from a surface to a molecule at a minimum of REBO2.
+//! \details Triangulates a surface of a quarter (or less) of the area, relaxes the dual, anneals its defects,
+//! refines, anneals again shortly, and minimises the full potential without a tether. \param surface
+//! Angstrom; a sound oriented 2-manifold, with or without border \param atoms wanted; met within one percent
+//! where the surface allows \throw UserError as the triangulator does
+AnnealResult anneal(const TriangleMesh& surface, std::size_t atoms, const Triangulator& triangulate,
+                    const AnnealOptions& options);
+
+}  // namespace nanocarbon

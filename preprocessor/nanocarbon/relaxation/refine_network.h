@@ -1,0 +1,12 @@
+#pragma once
+
+#include "nanocarbon/relaxation/switching_patch.h"
+
+namespace nanocarbon {
+
+//! \brief A molecule with four times the atoms and the same defects: every triangle of the triangulation is
+//! cut in four. \details New rings are hexagons (border vertices aside). Positions are doubled, so that bonds
+//! keep their length, and put back on the surface, which has to be the one for the new size.
+SwitchingState refined_in_four(const SwitchingState& coarse, const TetherSurface& finer_surface);
+
+}  // namespace nanocarbon

@@ -1,0 +1,56 @@
+#include "nanocarbon/relaxation/anneal_recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "relaxation/support/rough_sphere.h"
+
+namespace nanocarbon {
+namespace {
+
+constexpr double graphene = -7.3949972517;  // eV/atom, pair_style rebo
+
+// Icosahedral numbers of faces only, which is all that these tests ask for.
+TriangleMesh rough_triangulation(const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
+  TriangleMesh mesh = test::rough_sphere(static_cast<int>(std::lround(std::sqrt(faces / 20.0))), seed, 0.2);
+  for (Vec3& p : mesh.points) p *= surface.points[0].norm();
+  return mesh;
+}
+
+TriangleMesh sphere_for(std::size_t atoms) {
+  TriangleMesh surface = test::unit_sphere(16);
+  for (Vec3& p : surface.points) p *= test::scale_for(atoms, 4 * std::numbers::pi);
+  return surface;
+}
+
+std::size_t rings_of(const Molecule& molecule, std::size_t size) {
+  std::size_t count = 0;
+  for (std::size_t r = 0; r < molecule.rings.size(); ++r) count += molecule.rings[r].size() == size;
+  return count;
+}
+
+TEST(Anneal, ADraftIsAnIntactMinimumOfRebo2) {
+  const auto result = anneal(sphere_for(720), 720, rough_triangulation, {.quality = AnnealQuality::draft});
+  const std::size_t atoms = result.molecule.size();
+  EXPECT_NEAR(static_cast<double>(atoms), 720, 7.2);
+  EXPECT_EQ(2 * result.molecule.bonds.size(), 3 * atoms);
+  EXPECT_EQ(2 * result.molecule.rings.size(), atoms + 4);  // Euler's formula
+  EXPECT_LT(result.max_force, 1e-3);
+  EXPECT_TRUE(result.intact);
+  EXPECT_LT(result.longest_bond, 1.7);
+  EXPECT_LT(result.mean_distance, 1.0);
+}
+
+TEST(Anneal, GoodLeavesASphereItsTwelvePentagons) {
+  const auto result = anneal(sphere_for(320), 320, rough_triangulation, {.threads = 2});
+  EXPECT_EQ(rings_of(result.molecule, 5), 12u);
+  EXPECT_EQ(rings_of(result.molecule, 6), result.molecule.rings.size() - 12);
+  EXPECT_TRUE(result.intact);
+  EXPECT_LT(result.energy, result.unannealed_energy);
+  // C320 (Ih) has 154.1 meV an atom; bending goes with the inverse of the count.
+  EXPECT_LT(result.energy - graphene, 0.1541 * 320 / static_cast<double>(result.molecule.size()) + 0.006);
+}
+
+}  // namespace
+}  // namespace nanocarbon
