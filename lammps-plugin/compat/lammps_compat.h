@@ -13,17 +13,22 @@ namespace nanocarbon {
 //! \param style a Pair
 //! \param instance that style's instance_me
 //! \param ghosts also the neighbours of ghost atoms
+//! \param cutoff of this list alone, skin included; 0 for the pair style's cut-off and the skin
 template <typename Neighbor, typename Style>
-void request_full_list(Neighbor& neighbor, Style* style, int instance, bool ghosts) {
+void request_full_list(Neighbor& neighbor, Style* style, int instance, bool ghosts, double cutoff = 0.0) {
   if constexpr (requires { neighbor.add_request(style); }) {
     auto* const request = neighbor.add_request(style);
     request->enable_full();
     if (ghosts) request->enable_ghost();
+    if (cutoff > 0.0) request->set_cutoff(cutoff);
   } else {
-    auto* const request = neighbor.requests[neighbor.request(style, instance)];
+    const int index = neighbor.request(style, instance);  // may move the array of requests
+    auto* const request = neighbor.requests[index];
     request->half = 0;
     request->full = 1;
     request->ghost = ghosts ? 1 : 0;
+    request->cut = cutoff > 0.0 ? 1 : 0;
+    request->cutoff = cutoff;
   }
 }
 

@@ -3,6 +3,7 @@
 #include "fix_bond_topology.h"
 #include "lammps_version.h"
 #include "pair.h"
+#include "pair_rebo_opt.h"
 
 using LAMMPS_NS::Fix;
 using LAMMPS_NS::LAMMPS;
@@ -41,6 +42,7 @@ std::span<const PluginStyle> plugin_styles() {
   static constexpr PluginStyle table[] = {
       fix_style<FixBondTopology>("bond/topology",
                                  "fix bond/topology: bonds, rings and repelled atoms of sp2 carbon"),
+      pair_style<PairReboOpt>("rebo/opt", "pair rebo/opt: REBO2 for carbon and hydrogen, fast"),
   };
   return table;
 }

@@ -6,7 +6,7 @@
 
 #include "rebo2/comparison_structures.h"
 #include "rebo2/reference_table.h"
-#include "support/lammps_run.h"
+#include "support/lammps_reference.h"
 
 int main(int argc, char** argv) {
   using namespace nanocarbon;
@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   int status = 0;
   try {
     if (argc != 2) throw std::runtime_error("usage: write_rebo2_reference FILE");
-    LammpsRun lammps;
+    LammpsReference lammps;
     std::vector<ReferenceEntry> entries;
     for (ComparisonStructure& structure : comparison_structures()) {
       const Molecule& m = structure.molecule;

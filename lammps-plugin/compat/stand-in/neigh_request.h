@@ -2,7 +2,8 @@
 
 //! \file
 //! \brief The start of LAMMPS's neighbour-list request (2021), which installed headers leave out.
-//! \details Only ever seen through LAMMPS's own pointer: the members up to the last one set by us, in LAMMPS's order.
+//! \details Only ever seen through LAMMPS's own pointer: the members up to the last one set by us, in
+//! LAMMPS's order.
 
 #include "pointers.h"
 
@@ -19,6 +20,10 @@ class NeighRequest : protected Pointers {
   int occasional;                          //!< 1: built only when asked for
   int newton;
   int ghost;  //!< 1: also the neighbours of ghost atoms
+  int size, history, granonesided, respainner, respamiddle, respaouter, bond;
+  int omp, intel, kokkos_host, kokkos_device, ssa;  //!< for packages
+  int cut;                                          //!< 1: the list has a cut-off of its own
+  double cutoff;                                    //!< that cut-off, skin included
 
   NeighRequest() = delete;
 };

@@ -11,7 +11,8 @@ MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Ker
     : parameters_(parameters),
       constants_(make_sp2_constants(parameters)),
       bond_constants_(sp2_bond_constants(coordination_tables())),
-      kernel_(&kernel) {
+      kernel_(&kernel),
+      fast_applies_(sp2_case_applies(parameters)) {
   const double cutoff = parameters.pairs[pair_index(Element::carbon, Element::carbon)].cutoff_end;
   watch_squared_ = cutoff * cutoff;
   std::fill_n(plain_.on, sp2_block, 1.0);
@@ -19,7 +20,7 @@ MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Ker
   std::fill_n(&plain_.pi[0][0], 3 * sp2_block, bond_constants_.pi);
 }
 
-void MixedEvaluation::set_near(const AtomsView& atoms, const NearPairs& near) {
+void MixedEvaluation::make_blocks(const AtomsView& atoms, const NearPairs& near) {
   blocks_ = make_sp2_blocks(atoms, near, parameters_);
   geometry_.resize(12 * sp2_block * blocks_.blocks);
   tensors_.assign(6 * (std::size_t{blocks_.zero_record()} + 1), 0.0);
@@ -29,6 +30,7 @@ void MixedEvaluation::set_near(const AtomsView& atoms, const NearPairs& near) {
   modified_blocks_.clear();
   general_flag_.assign(atoms.all, 0);
   general_.clear();
+  blocks_are_good_ = true;
 }
 
 Sp2Modifiers* MixedEvaluation::modifiers_of(std::uint32_t place) {
@@ -191,7 +193,12 @@ EnergyParts MixedEvaluation::add_general_terms(const AtomsView& atoms, const Nea
 }
 
 EnergyParts MixedEvaluation::evaluate(const AtomsView& atoms, const NearPairs& near, double* forces,
-                                      const AtomShares& shares) {
+                                      const AtomShares& shares, bool general_only) {
+  if (general_only || !fast_applies_ || shares.virials) {
+    general_own_ = atoms.own;
+    return evaluate_general(atoms, near, {parameters_, coordination_tables()}, workspace_, forces, shares);
+  }
+  if (!blocks_are_good_) make_blocks(atoms, near);
   if (shares.energies) edge_energies_.resize(3 * sp2_block * blocks_.own_blocks);
   const Sp2Data data = {&constants_,
                         atoms.positions,
@@ -226,6 +233,13 @@ EnergyParts MixedEvaluation::evaluate(const AtomsView& atoms, const NearPairs& n
         shares.add_bond_energy(blocks_.atoms[at], blocks_.neighbour(at, s),
                                edge_energies_[Sp2Blocks::index(at, s)]);
   return energy;
+}
+
+std::size_t MixedEvaluation::memory() const {
+  return sizeof(double) * (geometry_.capacity() + tensors_.capacity() + edge_energies_.capacity()) +
+         sizeof(std::uint32_t) * (blocks_.neighbours.capacity() + blocks_.reverses.capacity() +
+                                  blocks_.atoms.capacity() + blocks_.place.capacity() + outside_.capacity()) +
+         sizeof(Sp2Modifiers) * modifier_pool_.capacity();
 }
 
 }  // namespace nanocarbon

@@ -20,15 +20,18 @@ class MixedEvaluation {
  public:
   MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel);
 
-  //! To be called whenever atoms or near pairs have changed.
-  void set_near(const AtomsView& atoms, const NearPairs& near);
+  //! To be called whenever the atoms, their elements or the near pairs have changed.
+  void near_changed() { blocks_are_good_ = false; }
 
-  //! Arguments and result as of evaluate_general(). shares must not ask for virials.
-  EnergyParts evaluate(const AtomsView& atoms, const NearPairs& near, double* forces,
-                       const AtomShares& shares);
+  //! \brief Arguments and result as of evaluate_general().
+  //! \details Virials of single atoms are shared out term by term, so they come from the general terms alone.
+  EnergyParts evaluate(const AtomsView& atoms, const NearPairs& near, double* forces, const AtomShares& shares,
+                       bool general_only = false);
 
   //! Own atoms that the last evaluation left to the general terms.
   std::size_t general_atoms() const { return general_own_; }
+  //! Bytes held by the arrays that grow with the atoms.
+  std::size_t memory() const;
 
  private:
   using Bond = std::pair<std::uint32_t, std::uint32_t>;
@@ -36,6 +39,7 @@ class MixedEvaluation {
   bool is_fast(std::uint32_t atom) const {
     return blocks_.place[atom] != Sp2Blocks::nowhere && !general_flag_[atom];
   }
+  void make_blocks(const AtomsView& atoms, const NearPairs& near);
   Sp2Modifiers* modifiers_of(std::uint32_t place);
   void reset_modifiers();
   void find_general_atoms(const AtomsView& atoms, const NearPairs& near);
@@ -52,6 +56,9 @@ class MixedEvaluation {
   const Sp2Kernel* kernel_;
   double watch_squared_;
 
+  bool fast_applies_;
+
+  bool blocks_are_good_ = false;
   Sp2Blocks blocks_;
   std::vector<double> geometry_;
   std::vector<double> tensors_;

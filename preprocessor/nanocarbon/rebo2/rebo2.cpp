@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/rebo2/general_evaluation.h"
 #include "nanocarbon/rebo2/mixed_evaluation.h"
 #include "nanocarbon/rebo2/periodic_copies.h"
 #include "nanocarbon/rebo2/sp2_dispatch.h"
@@ -41,21 +40,17 @@ const Sp2Kernel& find_kernel(std::string_view name) {
 
 struct Rebo2::State {
   State(const Rebo2Parameters& p, std::string_view instructions)
-      : parameters(p), fast_applies(sp2_case_applies(p)), mixed(p, find_kernel(instructions)) {}
+      : parameters(p), evaluation(p, find_kernel(instructions)) {}
 
   Rebo2Parameters parameters;
-  bool fast_applies;
+  MixedEvaluation evaluation;
   Rebo2Result result;
-  GeneralWorkspace general;
-  MixedEvaluation mixed;
-  std::size_t general_atoms = 0;
 
   NearAtoms near;
   std::vector<Vec3> listed_positions;
   std::vector<Element> elements;  // own atoms and copies
   std::optional<Cell> listed_cell;
   std::size_t list_builds = 0;
-  std::size_t blocks_of_list = 0;  // the list that the fast evaluation was prepared for
 
   std::vector<double> coordinates;
   std::vector<double> forces;
@@ -79,6 +74,7 @@ struct Rebo2::State {
     for (const PeriodicCopy& copy : near.copies) elements.push_back(own[copy.of]);
     listed_cell = cell ? std::optional<Cell>(*cell) : std::nullopt;
     ++list_builds;
+    evaluation.near_changed();
   }
 
   //! Gives the copies' forces and shares to the atoms that they are copies of.
@@ -138,22 +134,13 @@ const Rebo2Result& Rebo2::evaluate(std::span<const Vec3> positions, std::span<co
   }
   const AtomsView atoms = {s.coordinates.data(), s.elements.data(), s.near.own,
                            static_cast<std::uint32_t>(s.elements.size())};
-  if (options.general_only || options.atom_virials || !s.fast_applies) {
-    s.result.parts = evaluate_general(atoms, s.near.pairs, {s.parameters, coordination_tables()}, s.general,
-                                      s.forces.data(), shares);
-    s.general_atoms = positions.size();
-  } else {
-    if (s.blocks_of_list != s.list_builds) s.mixed.set_near(atoms, s.near.pairs);
-    s.blocks_of_list = s.list_builds;
-    s.result.parts = s.mixed.evaluate(atoms, s.near.pairs, s.forces.data(), shares);
-    s.general_atoms = s.mixed.general_atoms();
-  }
+  s.result.parts = s.evaluation.evaluate(atoms, s.near.pairs, s.forces.data(), shares, options.general_only);
   s.result.energy = s.result.parts.total();
   s.take_results(options);
   return s.result;
 }
 
-std::size_t Rebo2::general_atoms() const { return state_->general_atoms; }
+std::size_t Rebo2::general_atoms() const { return state_->evaluation.general_atoms(); }
 std::size_t Rebo2::list_builds() const { return state_->list_builds; }
 
 }  // namespace nanocarbon

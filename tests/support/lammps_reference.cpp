@@ -1,4 +1,4 @@
-#include "support/lammps_run.h"
+#include "support/lammps_reference.h"
 
 #include <mpi.h>
 
@@ -34,15 +34,15 @@ Mat3 symmetric(const double* v) {
 
 }  // namespace
 
-LammpsRun::LammpsRun([[maybe_unused]] bool with_plugin) : with_plugin_(with_plugin) {
+LammpsReference::LammpsReference([[maybe_unused]] bool with_plugin) : with_plugin_(with_plugin) {
   const char* arguments[] = {"lammps", "-log", "none", "-screen", "none", "-nocite"};
   lammps_ = lammps_open(6, const_cast<char**>(arguments), MPI_COMM_SELF, nullptr);
   if (!lammps_) throw std::runtime_error("cannot start LAMMPS");
 }
 
-LammpsRun::~LammpsRun() { lammps_close(lammps_); }
+LammpsReference::~LammpsReference() { lammps_close(lammps_); }
 
-void LammpsRun::command(const std::string& text) {
+void LammpsReference::command(const std::string& text) {
   lammps_commands_string(lammps_, text.c_str());
   if (lammps_has_error(lammps_)) {
     char message[1000];
@@ -51,7 +51,8 @@ void LammpsRun::command(const std::string& text) {
   }
 }
 
-void LammpsRun::place(std::span<const Vec3> positions, std::span<const Element> elements, const Cell* cell) {
+void LammpsReference::place(std::span<const Vec3> positions, std::span<const Element> elements,
+                            const Cell* cell) {
   command("clear");
 #ifdef NANOCARBON_PLUGIN_FILE
   if (with_plugin_) {
@@ -95,11 +96,11 @@ void LammpsRun::place(std::span<const Vec3> positions, std::span<const Element> 
   volume_ = cell ? volume(*cell) : (high - low + Vec3::Constant(30.0)).prod();
 }
 
-void LammpsRun::potential(const std::string& style) {
+void LammpsReference::potential(const std::string& style) {
   command("pair_style " + style + "\npair_coeff * * " NANOCARBON_CH_REBO " C H");
 }
 
-LammpsEnergy LammpsRun::evaluate(bool atom_virials) {
+LammpsEnergy LammpsReference::evaluate(bool atom_virials) {
   command(
       "neighbor 0.5 bin\nvariable pe equal pe\ncompute virial all pressure NULL virial\n"
       "compute peatom all pe/atom\ncompute sum_e all reduce sum c_peatom");
@@ -131,7 +132,7 @@ LammpsEnergy LammpsRun::evaluate(bool atom_virials) {
   return result;
 }
 
-std::vector<Vec3> LammpsRun::positions() {
+std::vector<Vec3> LammpsReference::positions() {
   std::vector<double> x(3 * atoms_);
   lammps_gather_atoms(lammps_, const_cast<char*>("x"), 1, 3, x.data());
   std::vector<Vec3> result;
@@ -139,7 +140,7 @@ std::vector<Vec3> LammpsRun::positions() {
   return result;
 }
 
-double LammpsRun::variable(const std::string& expression) {
+double LammpsReference::variable(const std::string& expression) {
   command("variable answer delete\nvariable answer equal \"" + expression + "\"");
   auto* value = static_cast<double*>(lammps_extract_variable(lammps_, "answer", nullptr));
   const double copy = *value;
@@ -147,7 +148,7 @@ double LammpsRun::variable(const std::string& expression) {
   return copy;
 }
 
-LammpsEnergy lammps_energy(LammpsRun& lammps, const std::string& style, std::span<const Vec3> positions,
+LammpsEnergy lammps_energy(LammpsReference& lammps, const std::string& style, std::span<const Vec3> positions,
                            std::span<const Element> elements, const Cell* cell) {
   lammps.place(positions, elements, cell);
   lammps.potential(style);

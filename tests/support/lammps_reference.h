@@ -21,13 +21,13 @@ struct LammpsEnergy {
   std::vector<Mat3> atom_virials;  //!< minus compute stress/atom, eV
 };
 
-//! A LAMMPS in this process, silent and with the project's plugin loaded if asked for.
-class LammpsRun {
+//! A LAMMPS on this rank alone that evaluates structures, with the plugin loaded if asked for.
+class LammpsReference {
  public:
-  explicit LammpsRun(bool with_plugin = false);
-  ~LammpsRun();
-  LammpsRun(const LammpsRun&) = delete;
-  LammpsRun& operator=(const LammpsRun&) = delete;
+  explicit LammpsReference(bool with_plugin = false);
+  ~LammpsReference();
+  LammpsReference(const LammpsReference&) = delete;
+  LammpsReference& operator=(const LammpsReference&) = delete;
 
   //! Runs a command, or several on lines of their own. \throw std::runtime_error with LAMMPS's message
   void command(const std::string& text);
@@ -51,7 +51,7 @@ class LammpsRun {
 };
 
 //! place, potential, evaluate
-LammpsEnergy lammps_energy(LammpsRun& lammps, const std::string& style, std::span<const Vec3> positions,
+LammpsEnergy lammps_energy(LammpsReference& lammps, const std::string& style, std::span<const Vec3> positions,
                            std::span<const Element> elements, const Cell* cell);
 
 }  // namespace nanocarbon::test
