@@ -8,4 +8,9 @@ install_missing "${build_packages[@]}" "${lammps_packages[@]}" "${test_packages[
 preset=${NANOCARBON_PRESET:-release}
 cmake --preset "$preset"
 cmake --build --preset "$preset"
+# A LAMMPS with the PLUGIN package, for the tests of its own plugin load; takes minutes, but only the first time.
+if [ -z "${NANOCARBON_PLUGIN_LAMMPS:-}" ]; then
+  NANOCARBON_PLUGIN_LAMMPS=$(scripts/build-lammps-with-plugin.sh | tail -n 1)
+  export NANOCARBON_PLUGIN_LAMMPS
+fi
 ctest --preset "$preset" -j "$(nproc)" "$@"
