@@ -94,10 +94,22 @@ TEST(Models, BadMeshesAreRefusedWithTheReasonTheIndexGives) {
   EXPECT_THAT(refusal(models / "bad-shared-edge.stl"), HasSubstr("1 edge has more than two faces"));
   EXPECT_THAT(refusal(models / "bad-hourglass-vertex.obj"), HasSubstr("1 vertex holds parts"));
   EXPECT_THAT(refusal(models / "bad-moebius.off"), HasSubstr("not orientable"));
-  EXPECT_THAT(refusal(models / "bad-degenerate-triangles.off"), HasSubstr("4 faces have no area"));
   EXPECT_THAT(refusal(models / "bad-two-spheres.obj"),
               HasSubstr("147 pairs of faces of different pieces intersect"));
   EXPECT_THAT(refusal(models / "bad-truncated.off"), HasSubstr("bad-truncated.off:6: "));
+}
+
+TEST(Models, FacesWithoutAreaAreRepairedWithoutChangingTheShape) {
+  NANOCARBON_NEEDS_MODELS();
+  const auto path = test::models_folder() / "bad-degenerate-triangles.off";
+  const MeshDiagnosis before = diagnose(read_mesh(path));
+  EXPECT_EQ(count(before, MeshProblem::no_area), 4u);
+  const LoadedSurface surface = load_surface(path);
+  EXPECT_THAT(surface.repairs, testing::Contains(testing::HasSubstr("without area")));
+  EXPECT_DOUBLE_EQ(surface.diagnosis.area, before.area);
+  EXPECT_EQ(surface.diagnosis.topology.euler_characteristic, before.topology.euler_characteristic);
+  EXPECT_EQ(surface.diagnosis.topology.faces, 8u);
+  EXPECT_TRUE(surface.diagnosis.findings.empty());
 }
 
 }  // namespace

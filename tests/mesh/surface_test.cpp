@@ -149,6 +149,41 @@ TEST(Surface, RubbishThatChangesNothingIsDropped) {
                           "dropped 1 vertices that no face uses"));
 }
 
+TEST(Surface, FacesWithoutAreaAreRemovedByFlips) {
+  // A vertex in the middle of the cube's edge from 0 to 1, which only one of the two squares there has: the
+  // other one is kept apart by a triangle that is a line.
+  PolygonSoup soup = test::cube();
+  soup.points.emplace_back(0.5, 0.0, 0.0);
+  soup.corners.clear();
+  soup.offsets = {0};
+  for (const std::vector<VertexIndex>& face : std::vector<std::vector<VertexIndex>>{{0, 2, 3, 1},
+                                                                                    {4, 5, 7, 6},
+                                                                                    {0, 8, 1, 5, 4},
+                                                                                    {2, 6, 7, 3},
+                                                                                    {0, 4, 6, 2},
+                                                                                    {1, 3, 7, 5},
+                                                                                    {0, 1, 8}}) {
+    soup.corners.insert(soup.corners.end(), face.begin(), face.end());
+    soup.close_face();
+  }
+  const RepairedSurface repaired = repair_surface(soup);
+  EXPECT_TRUE(repaired.diagnosis.usable());
+  EXPECT_THAT(repaired.repairs, testing::Contains("flipped 1 edges of faces without area"));
+  EXPECT_DOUBLE_EQ(volume(repaired.mesh), 1.0);
+  EXPECT_DOUBLE_EQ(repaired.diagnosis.area, 6.0);
+  EXPECT_EQ(repaired.diagnosis.topology.euler_characteristic, 2);
+  EXPECT_EQ(repaired.mesh.points, soup.points);
+}
+
+TEST(Surface, ANeedleWithTwoVerticesAtOnePlaceIsRefused) {
+  TriangleMesh mesh = triangulate(test::torus(12, 8)).mesh;
+  mesh.points[mesh.triangles[5][0]] = mesh.points[mesh.triangles[5][1]];
+  const RepairedSurface repaired = repair_surface(soup_of(mesh));
+  ASSERT_NE(repaired.diagnosis.find(MeshProblem::no_area), nullptr);
+  EXPECT_EQ(repaired.diagnosis.find(MeshProblem::no_area)->count, 2u);  // both triangles at the edge
+  EXPECT_NE(repaired.diagnosis.find(MeshProblem::duplicate_vertex), nullptr);
+}
+
 TEST(Surface, EveryReasonIsToldAtOnce) {
   const std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / "nanocarbon_surface_test.obj";

@@ -47,15 +47,6 @@ std::vector<VertexIndex> vertices_of(std::span<const VertexIndex> face) {
           face.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(face.size(), most_places))};
 }
 
-// A height below 1e-10 of the longest side is lost in the rounding of coordinates far from the origin.
-bool has_no_area(const PolygonSoup& soup, std::span<const VertexIndex> face) {
-  double longest = 0.0;
-  for (std::size_t i = 0; i < face.size(); ++i)
-    longest =
-        std::max(longest, (soup.points[face[(i + 1) % face.size()]] - soup.points[face[i]]).squaredNorm());
-  return newell_normal(soup.points, face).norm() <= 1e-10 * longest;
-}
-
 void find_in_faces(const PolygonSoup& soup, Findings& findings) {
   const auto for_each = [&](MeshProblem problem, const auto& is_so) {
     for (FaceIndex face = 0; face < soup.faces(); ++face)
@@ -64,7 +55,7 @@ void find_in_faces(const PolygonSoup& soup, Findings& findings) {
   for_each(MeshProblem::too_many_corners, [](auto face) { return face.size() > most_corners; });
   for_each(MeshProblem::repeated_vertex, [](auto face) { return repeats_a_vertex(face); });
   for_each(MeshProblem::no_area,
-           [&](auto face) { return !repeats_a_vertex(face) && has_no_area(soup, face); });
+           [&](auto face) { return !repeats_a_vertex(face) && has_no_area(soup.points, face); });
   for (const SameFace& same : same_faces(soup))
     findings.add(MeshProblem::duplicate_face, vertices_of(soup.face(same.face)), {same.earlier, same.face});
 }

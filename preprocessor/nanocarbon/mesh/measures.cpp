@@ -73,6 +73,15 @@ Vec3 newell_normal(std::span<const Vec3> points, std::span<const VertexIndex> co
   return normal;
 }
 
+bool has_no_area(std::span<const Vec3> points, std::span<const VertexIndex> corners) {
+  double longest_squared = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3 side = points[corners[(i + 1) % corners.size()]] - points[corners[i]];
+    longest_squared = std::max(longest_squared, side.squaredNorm());
+  }
+  return newell_normal(points, corners).norm() <= 1e-10 * longest_squared;
+}
+
 // Taken from a point of the mesh, so that a mesh far from the origin loses no digits.
 double signed_volume(const PolygonSoup& soup) {
   if (soup.faces() == 0) return 0.0;

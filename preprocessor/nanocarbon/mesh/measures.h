@@ -52,6 +52,10 @@ Vec3 area_normal(const Vec3& a, const Vec3& b, const Vec3& c);
 //! Twice the area vector of a polygon, flat or not (Newell): the normal of the plane that fits it best.
 Vec3 newell_normal(std::span<const Vec3> points, std::span<const VertexIndex> corners);
 
+//! Whether a face is no more than a line: its height is below 1e-10 of its longest side, which the rounding
+//! of coordinates can make or unmake.
+bool has_no_area(std::span<const Vec3> points, std::span<const VertexIndex> corners);
+
 //! Area of all triangles, square mesh units.
 double area(const TriangleMesh& mesh);
 

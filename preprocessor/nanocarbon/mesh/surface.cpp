@@ -6,6 +6,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/drop_faces.h"
+#include "nanocarbon/mesh/flip_slivers.h"
 #include "nanocarbon/mesh/join_points.h"
 #include "nanocarbon/mesh/join_seams.h"
 #include "nanocarbon/mesh/read_mesh.h"
@@ -15,7 +16,7 @@
 namespace nanocarbon {
 namespace {
 
-void wind(TriangleMesh& mesh, std::vector<std::string>& repairs) {
+void wind_and_flip(TriangleMesh& mesh, std::vector<std::string>& repairs) {
   const PolygonSoup soup = soup_of(mesh);
   const EdgeTable edges = edge_table(soup);
   const MeshTopology topology = mesh_topology(soup, edges);
@@ -25,6 +26,9 @@ void wind(TriangleMesh& mesh, std::vector<std::string>& repairs) {
   if (const std::size_t turned = turn_outside(mesh, topology); turned > 0)
     repairs.push_back(topology.pieces == 1 ? std::string("turned the mesh, which was inside-out")
                                            : fmt::format("turned {} pieces that were inside-out", turned));
+  if (!topology.orientable) return;
+  if (const std::size_t flipped = flip_slivers(mesh); flipped > 0)
+    repairs.push_back(fmt::format("flipped {} edges of faces without area", flipped));
 }
 
 }  // namespace
@@ -51,7 +55,7 @@ RepairedSurface repair_surface(PolygonSoup soup) {
     repairs.push_back(fmt::format("cut {} polygons into triangles", triangulated.polygons));
   if (triangulated.centres_added > 0)
     repairs.push_back(fmt::format("added a vertex at the centre of {} polygons", triangulated.centres_added));
-  wind(result.mesh, repairs);
+  wind_and_flip(result.mesh, repairs);
   result.diagnosis = diagnose(soup_of(result.mesh));
   return result;
 }
