@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <utility>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/molecule/connected_pieces.h"
 #include "nanocarbon/molecule/dual.h"
+#include "nanocarbon/molecule/primal.h"
+#include "nanocarbon/remeshing/crystallise.h"
 
 namespace nanocarbon {
 namespace {
@@ -24,47 +28,100 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void require_same_topology(const MeshTopology& surface, const MeshTopology& triangulation) {
-  const auto tell = [](const MeshTopology& t) {
-    return fmt::format("{} pieces, Euler characteristic {}, genus {}, {} boundary loops", t.pieces,
-                       t.euler_characteristic, t.genus, t.boundary_loops);
+// Atoms, bonds and rings are faces, edges and vertices; what a border lacks of them adds up to nothing.
+std::int64_t euler_characteristic(const Molecule& molecule) {
+  return static_cast<std::int64_t>(molecule.size()) - static_cast<std::int64_t>(molecule.bonds.size()) +
+         static_cast<std::int64_t>(molecule.rings.size());
+}
+
+void require_same_topology(const MeshTopology& surface, const Molecule& molecule) {
+  const std::size_t pieces = connected_pieces(molecule.size(), molecule.bonds).count;
+  if (surface.pieces != pieces || surface.euler_characteristic != euler_characteristic(molecule))
+    throw UserError(
+        Failure::failed,
+        fmt::format("the molecule has {} pieces and Euler characteristic {}, the surface {} and {}; "
+                    "please report this",
+                    pieces, euler_characteristic(molecule), surface.pieces, surface.euler_characteristic));
+}
+
+void build_by_thesis(BuildResult& result, const BuildOptions& options) {
+  Stopwatch stage;
+  ThesisOptions thesis = options.thesis;
+  if (options.progress)
+    thesis.progress = [&](const ThesisProgress& p) {
+      options.progress("remeshing", static_cast<double>(p.iteration) / p.max_iterations);
+    };
+  result.thesis = remesh_by_thesis(result.surface.mesh, thesis);
+  result.triangulation = std::exchange(result.thesis->mesh, {});
+  result.seconds.remeshing = stage.lap();
+  result.molecule = dual(result.triangulation);
+  result.seconds.molecule = stage.lap();
+}
+
+CrystalQuality crystal_quality(AnnealQuality quality) {
+  switch (quality) {
+    case AnnealQuality::draft:
+      return CrystalQuality::draft;
+    case AnnealQuality::good:
+      return CrystalQuality::good;
+    case AnnealQuality::best:
+      return CrystalQuality::best;
+  }
+  return CrystalQuality::good;
+}
+
+void build_by_annealing(BuildResult& result, const BuildOptions& options) {
+  Stopwatch stage;
+  const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
+    Stopwatch crystal;
+    CrystalResult made = crystallise(surface, {.faces = faces,
+                                               .seed = seed,
+                                               .quality = crystal_quality(options.quality),
+                                               .progress = options.progress});
+    result.seconds.remeshing += crystal.lap();
+    return std::move(made.mesh);
   };
-  if (surface.pieces != triangulation.pieces ||
-      surface.euler_characteristic != triangulation.euler_characteristic ||
-      surface.boundary_loops != triangulation.boundary_loops ||
-      surface.orientable != triangulation.orientable)
-    throw UserError(Failure::failed,
-                    fmt::format("remeshing changed the topology, from {} to {}; please report this",
-                                tell(surface), tell(triangulation)));
+  AnnealOptions annealing{.quality = options.quality,
+                          .force_tolerance = options.force_tolerance,
+                          .seed = options.seed,
+                          .threads = static_cast<unsigned>(options.threads),
+                          .progress = options.progress};
+  if (options.tether) annealing.tether = *options.tether;
+  result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, annealing);
+  result.molecule = std::exchange(result.annealed->molecule, {});
+  result.triangulation = primal(result.molecule);
+  result.seconds.molecule = stage.lap() - result.seconds.remeshing;
 }
 
 }  // namespace
 
+std::string_view name(Recipe recipe) {
+  switch (recipe) {
+    case Recipe::annealed:
+      return "annealed";
+    case Recipe::thesis:
+      return "thesis";
+    case Recipe::pecanha2013:
+      return "pecanha2013";
+    case Recipe::hauck2014:
+      return "hauck2014";
+    case Recipe::hauck2015:
+      return "hauck2015";
+  }
+  return "";
+}
+
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options) {
+  const bool annealed = options.recipe == Recipe::annealed;
+  const double thesis_bond = 0.5 * (options.thesis.min_bond + options.thesis.max_bond);
   BuildResult result;
-  Stopwatch whole, stage;
-  const ThesisOptions& thesis = options.thesis;
-  result.surface = sized_surface(surface, options.size, 0.5 * (thesis.min_bond + thesis.max_bond));
-  stage.lap();
-
-  ThesisOptions with_progress = thesis;
-  // Sizes that are a number of atoms leave the scale to the remeshing, which knows what number comes out.
-  if (std::holds_alternative<AtomCount>(options.size) || std::holds_alternative<AtomPerTriangle>(options.size))
-    with_progress.atoms = result.surface.atoms;
-  if (options.progress)
-    with_progress.progress = [&](const ThesisProgress& p) {
-      options.progress("remeshing", static_cast<double>(p.iteration) / p.max_iterations);
-    };
-  result.thesis = remesh_by_thesis(result.surface.mesh, with_progress);
-  result.triangulation = std::move(result.thesis->mesh);
-  result.thesis->mesh = {};
-  result.surface.scale *= result.thesis->scale;
-  for (Vec3& point : result.surface.mesh.points) point *= result.thesis->scale;
-  result.seconds.remeshing = stage.lap();
-
-  require_same_topology(mesh_topology(result.surface.mesh), mesh_topology(result.triangulation));
-  result.molecule = dual(result.triangulation);
-  result.seconds.dual = stage.lap();
+  Stopwatch whole;
+  result.surface = sized_surface(surface, options.size, annealed ? options.bond_length : thesis_bond);
+  if (annealed)
+    build_by_annealing(result, options);
+  else
+    build_by_thesis(result, options);
+  require_same_topology(mesh_topology(result.surface.mesh), result.molecule);
   result.seconds.total = whole.lap();
   return result;
 }

@@ -7,22 +7,36 @@
 
 #include "nanocarbon/building/size_request.h"
 #include "nanocarbon/molecule/molecule.h"
+#include "nanocarbon/relaxation/anneal_recipe.h"
 #include "nanocarbon/remeshing/thesis_recipe.h"
 
 namespace nanocarbon {
 
 //! How a surface becomes a molecule.
 enum class Recipe {
-  thesis,       //!< adaptive remeshing, then the dual
+  annealed,     //!< crystallised triangulation, dual relaxed, defects annealed, energy minimised
+  thesis,       //!< adaptive remeshing, then the dual as it is
   pecanha2013,  //!< its forerunners; see thesis_options.h
   hauck2014,
   hauck2015
 };
 
+//! The recipe's name on the command line and in reports.
+std::string_view name(Recipe recipe);
+
 struct BuildOptions {
   SizeRequest size = AtomPerTriangle{};
-  Recipe recipe = Recipe::thesis;
+  Recipe recipe = Recipe::annealed;
+
+  //! \name Of the annealed recipe
+  //! @{
+  double bond_length = 1.42;  //!< that the size is reckoned with, Angstrom
+  AnnealQuality quality = AnnealQuality::good;
+  std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: by size
+  double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
+  //! @}
   ThesisOptions thesis;  //!< of the thesis and its forerunners
+
   int threads = 1;
   std::uint64_t seed = 1;
   //! Called now and then with what is being done and how much of it, 0 to 1.
@@ -32,7 +46,7 @@ struct BuildOptions {
 //! Wall-clock seconds of each stage.
 struct BuildSeconds {
   double remeshing = 0.0;
-  double dual = 0.0;
+  double molecule = 0.0;  //!< dual and relaxation
   double total = 0.0;
 };
 
@@ -40,12 +54,13 @@ struct BuildResult {
   SizedSurface surface;
   TriangleMesh triangulation;  //!< Angstrom; the molecule is its dual
   Molecule molecule;
+  std::optional<AnnealResult> annealed;  //!< what annealing did; its molecule has moved to molecule
   std::optional<ThesisResult>
       thesis;  //!< what the thesis's remeshing did; its mesh has moved to triangulation
   BuildSeconds seconds;
 };
 
-//! \brief From a surface to a molecule of carbon atoms: scale, remesh, dual.
+//! \brief From a surface to a molecule of carbon atoms.
 //! \param surface a sound 2-manifold, oriented, mesh units (see load_surface())
 //! \throw UserError (size, unsuitable) as sized_surface(); (failed) where the molecule's topology is not the
 //! surface's

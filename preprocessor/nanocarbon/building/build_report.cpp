@@ -68,20 +68,6 @@ std::size_t rings_outside_5_to_7(const Rings& rings) {
 
 Json distance_json(const DistanceStatistics& d) { return {{"mean", d.mean}, {"rms", d.rms}, {"max", d.max}}; }
 
-const char* name_of(Recipe recipe) {
-  switch (recipe) {
-    case Recipe::thesis:
-      return "thesis";
-    case Recipe::pecanha2013:
-      return "pecanha2013";
-    case Recipe::hauck2014:
-      return "hauck2014";
-    case Recipe::hauck2015:
-      return "hauck2015";
-  }
-  return "";
-}
-
 Json thesis_json(const ThesisResult& r) {
   Json history = Json::array();
   for (const EdgeCounts& c : r.history) history.push_back({c.edges, c.too_short, c.too_long});
@@ -109,6 +95,39 @@ Json thesis_json(const ThesisResult& r) {
           {"history", {{"columns", {"edges", "short", "long"}}, {"rows", std::move(history)}}}};
 }
 
+Json annealed_json(const AnnealResult& r) {
+  constexpr double graphene =
+      -7.3949972517;  // eV an atom: REBO2, minimised, as LAMMPS's pair_style rebo has it
+  return {{"energy_per_atom", r.energy},
+          {"above_graphene", r.energy - graphene},
+          {"above_graphene_unannealed", r.unannealed_energy - graphene},
+          {"max_force", r.max_force},
+          {"closest_unbonded", r.closest_unbonded},
+          {"rebo2_sees_these_bonds", r.intact},
+          {"refinements", r.refinements},
+          {"bond_switches", r.accepted}};
+}
+
+Json options_json(const BuildResult& result, const BuildOptions& o) {
+  Json json = {{"recipe", name(o.recipe)}, {"atoms_aimed_at", result.surface.atoms}};
+  if (result.annealed) {
+    constexpr const char* qualities[] = {"draft", "good", "best"};
+    json.update({{"quality", qualities[static_cast<int>(o.quality)]},
+                 {"bond_length", o.bond_length},
+                 {"tether", o.tether ? Json(*o.tether) : Json("by size")},
+                 {"force_tolerance", o.force_tolerance}});
+  } else {
+    json.update({{"min_bond", o.thesis.min_bond},
+                 {"max_bond", o.thesis.max_bond},
+                 {"iterations", o.thesis.iterations},
+                 {"rings", o.thesis.rings},
+                 {"projection_interval", o.thesis.projection_interval},
+                 {"local_threshold", o.thesis.local_threshold}});
+  }
+  json.update({{"threads", o.threads}, {"seed", o.seed}});
+  return json;
+}
+
 }  // namespace
 
 Json build_report(const BuildResult& result, const BuildOptions& options, const ReportContext& context) {
@@ -123,16 +142,7 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
   report["command"] = context.command;
   report["input"] = {{"file", context.input}, {"repairs", context.repairs}, {"scale", result.surface.scale}};
   report["input"].update(topology_json(result.surface.mesh));
-  report["options"] = {{"recipe", name_of(options.recipe)},
-                       {"min_bond", options.thesis.min_bond},
-                       {"max_bond", options.thesis.max_bond},
-                       {"iterations", options.thesis.iterations},
-                       {"rings", options.thesis.rings},
-                       {"projection_interval", options.thesis.projection_interval},
-                       {"local_threshold", options.thesis.local_threshold},
-                       {"atoms_aimed_at", result.surface.atoms},
-                       {"threads", options.threads},
-                       {"seed", options.seed}};
+  report["options"] = options_json(result, options);
   report["molecule"] = {{"atoms", molecule.size()},
                         {"bonds", molecule.bonds.size()},
                         {"rings", molecule.rings.size()},
@@ -153,9 +163,10 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
                                                  molecule.positions, NearestPoint(result.surface.mesh)))},
                         {"surface_to_triangulation", distance_json(triangulation.back)},
                         {"triangulation_to_surface", distance_json(triangulation.there)}};
+  if (result.annealed) report["annealing"] = annealed_json(*result.annealed);
   if (result.thesis) report["remeshing"] = thesis_json(*result.thesis);
   report["seconds"] = {{"remeshing", result.seconds.remeshing},
-                       {"dual", result.seconds.dual},
+                       {"molecule", result.seconds.molecule},
                        {"total", result.seconds.total}};
   return report;
 }
@@ -194,6 +205,14 @@ std::string report_table(const Json& report) {
     const Json& r = report["remeshing"];
     line("remeshing",
          fmt::format("{} iterations, {}", r["iterations"].get<unsigned>(), r["stopped"].get<std::string>()));
+  }
+  if (report.contains("annealing")) {
+    const Json& r = report["annealing"];
+    line("energy, eV/atom",
+         fmt::format("{:.5f}, {:.1f} meV above graphene (before annealing {:.1f})",
+                     r["energy_per_atom"].get<double>(), 1e3 * r["above_graphene"].get<double>(),
+                     1e3 * r["above_graphene_unannealed"].get<double>()));
+    line("largest force, eV/A", fmt::format("{:.1e}", r["max_force"].get<double>()));
   }
   line("seconds", fmt::format("{:.2f}", report["seconds"]["total"].get<double>()));
   return table;

@@ -1,0 +1,133 @@
+#include "build_command.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "nanocarbon/core/error.h"
+
+namespace nanocarbon {
+namespace {
+
+void add_size_options(CLI::App& sub, BuildCommand& c) {
+  auto* size =
+      sub.add_option_group("Size", "One of these; without any, an atom for each triangle of the mesh");
+  size->add_option("--atoms", c.atoms, "Number of atoms, met within a few percent")
+      ->check(CLI::PositiveNumber);
+  size->add_option("--length", c.length, "Longest side of the bounding box, Angstrom")
+      ->check(CLI::PositiveNumber);
+  size->add_option("--scale", c.scale, "Angstrom for each mesh unit")->check(CLI::PositiveNumber);
+  size->require_option(0, 1);
+}
+
+void add_output_options(CLI::App& sub, BuildCommand& c) {
+  sub.add_option("--atom-style", c.atom_style, "LAMMPS atom style: atomic, charge, molecular or full")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, AtomStyle>{{"atomic", AtomStyle::atomic},
+                                                                   {"charge", AtomStyle::charge},
+                                                                   {"molecular", AtomStyle::molecular},
+                                                                   {"full", AtomStyle::full}}))
+      ->default_str("molecular")
+      ->type_name("STYLE");
+  sub.add_option("--margin", c.margin, "Empty box around the atoms, Angstrom")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  sub.add_option("--xyz", c.xyz, "Also write extended XYZ")->type_name("FILE");
+  sub.add_option(
+         "--mesh", c.triangulation,
+         "Also write the triangulation, as PLY coloured by edge length and valence (or OFF, OBJ, STL)")
+      ->type_name("FILE");
+  sub.add_option("--report", c.report, "Also write everything known about the result, as JSON")
+      ->type_name("FILE");
+}
+
+void add_recipe_options(CLI::App& sub, BuildCommand& c) {
+  auto* group = sub.add_option_group("Recipe", "How the mesh becomes a molecule");
+  group
+      ->add_option(
+          "--recipe", c.build.recipe,
+          "annealed (needs no parameters), thesis (adaptive remeshing, then the dual), or the thesis's "
+          "forerunners pecanha2013, hauck2014, hauck2015")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Recipe>{{"annealed", Recipe::annealed},
+                                                                        {"thesis", Recipe::thesis},
+                                                                        {"pecanha2013", Recipe::pecanha2013},
+                                                                        {"hauck2014", Recipe::hauck2014},
+                                                                        {"hauck2015", Recipe::hauck2015}}))
+      ->default_str("annealed")
+      ->type_name("NAME");
+  group->add_option("--quality", c.build.quality, "Time spent on low energy: draft, good or best")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, AnnealQuality>{
+          {"draft", AnnealQuality::draft}, {"good", AnnealQuality::good}, {"best", AnnealQuality::best}}))
+      ->default_str("good")
+      ->type_name("NAME");
+  group
+      ->add_option("--bond-length", c.build.bond_length,
+                   "Bond length that the size is reckoned with, Angstrom")
+      ->check(CLI::Range(1.0, 2.0))
+      ->capture_default_str();
+  group
+      ->add_option(
+          "--tether", c.build.tether,
+          "Stiffness that holds atoms to the surface while annealing, eV/Angstrom^2: fidelity for energy")
+      ->check(CLI::NonNegativeNumber);
+  group->add_option("--max-force", c.build.force_tolerance, "Largest force left at the end, eV/Angstrom")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void add_thesis_options(CLI::App& sub, BuildCommand& c) {
+  auto* group = sub.add_option_group("Thesis", "Parameters of the thesis and its forerunners");
+  group->add_option("--min-bond", c.min_bond, "Shortest bond wanted, Angstrom (1.2)")
+      ->check(CLI::PositiveNumber);
+  group->add_option("--max-bond", c.max_bond, "Longest bond wanted, Angstrom (1.8)")
+      ->check(CLI::PositiveNumber);
+  group->add_option("--iterations", c.iterations, "Most iterations, n (150)")->check(CLI::NonNegativeNumber);
+  group->add_option("--rings", c.rings, "Rings of the low-pass filter, k (2)")->check(CLI::Range(1, 10));
+  group
+      ->add_option("--projection-interval", c.projection_interval,
+                   "Iterations between replacements of the projection mesh, p (10); 0: never")
+      ->check(CLI::NonNegativeNumber);
+  group
+      ->add_option("--local-threshold", c.local_threshold,
+                   "Percentage of edges outside the interval below which optimisation is local, s (5)")
+      ->check(CLI::Range(0.0, 100.0));
+}
+
+}  // namespace
+
+void add_build_options(CLI::App& subcommand, BuildCommand& command) {
+  add_size_options(subcommand, command);
+  add_output_options(subcommand, command);
+  add_recipe_options(subcommand, command);
+  add_thesis_options(subcommand, command);
+}
+
+ThesisOptions thesis_options(const BuildCommand& c) {
+  ThesisOptions options;
+  switch (c.build.recipe) {
+    case Recipe::annealed:
+    case Recipe::thesis:
+      break;
+    case Recipe::pecanha2013:
+      options = pecanha2013_options();
+      break;
+    case Recipe::hauck2014:
+      options = hauck2014_options();
+      break;
+    case Recipe::hauck2015:
+      options = hauck2015_options();
+      break;
+  }
+  if (c.min_bond) options.min_bond = *c.min_bond;
+  if (c.max_bond) options.max_bond = *c.max_bond;
+  if (c.iterations) options.iterations = *c.iterations;
+  if (c.rings) options.rings = *c.rings;
+  if (c.projection_interval) options.projection_interval = *c.projection_interval;
+  if (c.local_threshold) options.local_threshold = *c.local_threshold;
+  if (!(options.min_bond < options.max_bond))
+    throw UserError(Failure::usage, fmt::format("--min-bond {} is not below --max-bond {}: give an interval",
+                                                options.min_bond, options.max_bond));
+  return options;
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "common_options.h"
+#include "nanocarbon/building/build_molecule.h"
+#include "nanocarbon/molecule/atom_style.h"
+
+namespace nanocarbon {
+
+//! The command line of `nanocarbon build`.
+struct BuildCommand {
+  std::string mesh;
+  std::filesystem::path data;
+  std::optional<std::filesystem::path> xyz, triangulation, report;
+  std::optional<std::size_t> atoms;
+  std::optional<double> length, scale;
+  std::optional<double> min_bond, max_bond, local_threshold;
+  std::optional<unsigned> iterations, rings, projection_interval;
+  AtomStyle atom_style = AtomStyle::molecular;
+  double margin = 10.0;
+  BuildOptions build;
+  CommonOptions common;
+  std::string command_line;
+};
+
+//! Adds what is not in common_options.h. \p command must outlive the app.
+void add_build_options(CLI::App& subcommand, BuildCommand& command);
+
+//! \brief The parameters of the thesis that a command line asks for: the recipe's own, then those given.
+//! \throw UserError (usage) for an interval that is none
+ThesisOptions thesis_options(const BuildCommand& command);
+
+}  // namespace nanocarbon
