@@ -87,6 +87,28 @@ TEST(Models, GoodMeshesAreWhatTheIndexSays) {
   EXPECT_GT(meshes, 20u);
 }
 
+TEST(Models, DiagnosisAsReadIsWhatTheIndexSaysAlsoOfBadMeshes) {
+  NANOCARBON_NEEDS_MODELS();
+  for (const Row& row : read_index()) {
+    if (row.at("F") == "0") continue;  // cut off: cannot be read
+    SCOPED_TRACE(row.at("file"));
+    const MeshDiagnosis diagnosis = diagnose(read_mesh(test::models_folder() / row.at("file")));
+    const MeshTopology& topology = diagnosis.topology;
+    EXPECT_EQ(std::to_string(diagnosis.points), row.at("V"));
+    EXPECT_EQ(std::to_string(diagnosis.faces), row.at("F"));
+    EXPECT_EQ(std::to_string(topology.pieces), row.at("components"));
+    EXPECT_EQ(std::to_string(topology.boundary_loops), row.at("boundary_loops"));
+    EXPECT_EQ(std::to_string(topology.euler_characteristic), row.at("euler"));
+    EXPECT_EQ(topology.non_manifold_edges.empty(), row.at("manifold_edge/vertex").starts_with("yes/"));
+    EXPECT_EQ(topology.non_manifold_vertices.empty(), row.at("manifold_edge/vertex").ends_with("/yes"));
+    if (topology.manifold()) {
+      EXPECT_EQ(topology.orientable ? "yes" : "no", row.at("orientable"));
+    }
+    EXPECT_EQ(std::to_string(count(diagnosis, MeshProblem::no_area)), row.at("degenerate"));
+    EXPECT_EQ(std::to_string(count(diagnosis, MeshProblem::unused_vertex)), row.at("isolated"));
+  }
+}
+
 TEST(Models, BadMeshesAreRefusedWithTheReasonTheIndexGives) {
   NANOCARBON_NEEDS_MODELS();
   const auto models = test::models_folder();
