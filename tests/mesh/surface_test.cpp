@@ -41,7 +41,7 @@ TEST(Surface, ASoundMeshStaysAsItIs) {
 
 TEST(Surface, PolygonsAreCut) {
   const RepairedSurface repaired = repair_surface(test::cube());
-  EXPECT_THAT(repaired.repairs, ElementsAre("cut 6 polygons into triangles"));
+  EXPECT_THAT(repaired.repairs, ElementsAre("cut polygons into triangles: 6"));
   EXPECT_EQ(repaired.mesh.triangles.size(), 12u);
   EXPECT_DOUBLE_EQ(volume(repaired.mesh), 1.0);
   EXPECT_DOUBLE_EQ(repaired.diagnosis.area, 6.0);
@@ -59,7 +59,7 @@ TEST(Surface, FacesWoundAgainstTheOthersAreTurned) {
   const double right = volume(mesh);
   for (const std::size_t t : {3u, 4u, 50u, 91u}) std::swap(mesh.triangles[t][0], mesh.triangles[t][2]);
   const RepairedSurface repaired = repair_surface(soup_of(mesh));
-  EXPECT_THAT(repaired.repairs, ElementsAre("turned 4 faces that were wound against the others"));
+  EXPECT_THAT(repaired.repairs, ElementsAre("turned faces that were wound against the others: 4"));
   EXPECT_DOUBLE_EQ(volume(repaired.mesh), right);
 }
 
@@ -75,7 +75,7 @@ TEST(Surface, TheWallOfACavityKeepsItsWindingAndSoDoesAShell) {
   EXPECT_NEAR(volume(shell.mesh), big + small, 1e-9);
   // Inside-out as a whole: both are turned, and stay what they are to each other.
   const RepairedSurface turned = loaded(test::together(test::turned(outer), inner));
-  EXPECT_THAT(turned.repairs, ElementsAre("turned 2 pieces that were inside-out"));
+  EXPECT_THAT(turned.repairs, ElementsAre("turned closed pieces that were inside-out: 2"));
   EXPECT_NEAR(volume(turned.mesh), big - small, 1e-9);
   EXPECT_TRUE(turned.diagnosis.usable());
 }
@@ -83,7 +83,7 @@ TEST(Surface, TheWallOfACavityKeepsItsWindingAndSoDoesAShell) {
 TEST(Surface, PiecesBesideEachOtherAreTurnedEachForItself) {
   const RepairedSurface repaired = repair_surface(
       soup_of(test::together(test::turned(test::tetrahedron()), test::tetrahedron(Vec3(20, 0, 0)))));
-  EXPECT_THAT(repaired.repairs, ElementsAre("turned 1 pieces that were inside-out"));
+  EXPECT_THAT(repaired.repairs, ElementsAre("turned closed pieces that were inside-out: 1"));
   EXPECT_NEAR(volume(repaired.mesh), 16.0 / 3.0, 1e-12);
 }
 
@@ -145,8 +145,8 @@ TEST(Surface, RubbishThatChangesNothingIsDropped) {
   EXPECT_EQ(repaired.mesh.points, test::tetrahedron().points);
   EXPECT_EQ(repaired.mesh.triangles, test::tetrahedron().triangles);
   EXPECT_THAT(repaired.repairs,
-              ElementsAre("dropped 2 faces that repeat a vertex", "dropped 1 faces that are copies of others",
-                          "dropped 1 vertices that no face uses"));
+              ElementsAre("dropped faces that repeat a vertex: 2", "dropped second copies of faces: 1",
+                          "dropped vertices that no face uses: 1"));
 }
 
 TEST(Surface, FacesWithoutAreaAreRemovedByFlips) {
@@ -168,7 +168,7 @@ TEST(Surface, FacesWithoutAreaAreRemovedByFlips) {
   }
   const RepairedSurface repaired = repair_surface(soup);
   EXPECT_TRUE(repaired.diagnosis.usable());
-  EXPECT_THAT(repaired.repairs, testing::Contains("flipped 1 edges of faces without area"));
+  EXPECT_THAT(repaired.repairs, testing::Contains("flipped edges of faces without area: 1"));
   EXPECT_DOUBLE_EQ(volume(repaired.mesh), 1.0);
   EXPECT_DOUBLE_EQ(repaired.diagnosis.area, 6.0);
   EXPECT_EQ(repaired.diagnosis.topology.euler_characteristic, 2);

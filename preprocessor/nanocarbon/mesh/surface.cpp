@@ -16,19 +16,20 @@
 namespace nanocarbon {
 namespace {
 
-void wind_and_flip(TriangleMesh& mesh, std::vector<std::string>& repairs) {
+using Repairs = std::vector<std::string>;
+
+void tell(Repairs& repairs, const char* what, std::size_t count) {
+  if (count > 0) repairs.push_back(fmt::format("{}: {}", what, count));
+}
+
+void wind_and_flip(TriangleMesh& mesh, Repairs& repairs) {
   const PolygonSoup soup = soup_of(mesh);
   const EdgeTable edges = edge_table(soup);
   const MeshTopology topology = mesh_topology(soup, edges);
   if (!topology.manifold()) return;  // which way round is not known
-  if (const std::size_t turned = wind_alike(mesh, topology, edges); turned > 0)
-    repairs.push_back(fmt::format("turned {} faces that were wound against the others", turned));
-  if (const std::size_t turned = turn_outside(mesh, topology); turned > 0)
-    repairs.push_back(topology.pieces == 1 ? std::string("turned the mesh, which was inside-out")
-                                           : fmt::format("turned {} pieces that were inside-out", turned));
-  if (!topology.orientable) return;
-  if (const std::size_t flipped = flip_slivers(mesh); flipped > 0)
-    repairs.push_back(fmt::format("flipped {} edges of faces without area", flipped));
+  tell(repairs, "turned faces that were wound against the others", wind_alike(mesh, topology, edges));
+  tell(repairs, "turned closed pieces that were inside-out", turn_outside(mesh, topology));
+  if (topology.orientable) tell(repairs, "flipped edges of faces without area", flip_slivers(mesh));
 }
 
 }  // namespace
@@ -36,25 +37,19 @@ void wind_and_flip(TriangleMesh& mesh, std::vector<std::string>& repairs) {
 RepairedSurface repair_surface(PolygonSoup soup) {
   RepairedSurface result;
   result.repairs = soup.notes;
-  auto& repairs = result.repairs;
+  Repairs& repairs = result.repairs;
   if (auto joined = join_seams(soup)) repairs.push_back(*joined);
-  if (const std::size_t dropped = drop_faces_repeating_a_vertex(soup); dropped > 0)
-    repairs.push_back(fmt::format("dropped {} faces that repeat a vertex", dropped));
-  if (const std::size_t dropped = drop_copied_faces(soup); dropped > 0)
-    repairs.push_back(fmt::format("dropped {} faces that are copies of others", dropped));
-  if (const std::size_t dropped = drop_unused_points(soup); dropped > 0)
-    repairs.push_back(fmt::format("dropped {} vertices that no face uses", dropped));
-
+  tell(repairs, "dropped faces that repeat a vertex", drop_faces_repeating_a_vertex(soup));
+  tell(repairs, "dropped second copies of faces", drop_copied_faces(soup));
+  tell(repairs, "dropped vertices that no face uses", drop_unused_points(soup));
   if (!can_be_triangulated(soup)) {
     result.diagnosis = diagnose(soup);
     return result;
   }
   Triangulated triangulated = triangulate(soup);
   result.mesh = std::move(triangulated.mesh);
-  if (triangulated.polygons > 0)
-    repairs.push_back(fmt::format("cut {} polygons into triangles", triangulated.polygons));
-  if (triangulated.centres_added > 0)
-    repairs.push_back(fmt::format("added a vertex at the centre of {} polygons", triangulated.centres_added));
+  tell(repairs, "cut polygons into triangles", triangulated.polygons);
+  tell(repairs, "added a vertex at the centre of polygons", triangulated.centres_added);
   wind_and_flip(result.mesh, repairs);
   result.diagnosis = diagnose(soup_of(result.mesh));
   return result;
