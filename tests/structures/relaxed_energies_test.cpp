@@ -11,12 +11,12 @@
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/schwarzite.h"
 #include "nanocarbon/structures/tube.h"
-#include "support/lammps_run.h"
+#include "support/lammps_reference.h"
 
 namespace nanocarbon {
 namespace {
 
-using test::LammpsRun;
+using test::LammpsReference;
 
 struct Relaxed {
   double energy_per_atom;       //!< eV
@@ -26,7 +26,7 @@ struct Relaxed {
 
 //! \param relaxed_lengths which edges of the cell are free, as fix box/relax takes them; empty for none
 Relaxed relax(const Molecule& molecule, const std::string& relaxed_lengths = {}) {
-  LammpsRun lammps;
+  LammpsReference lammps;
   lammps.place(molecule.positions, molecule.elements, molecule.cell ? &*molecule.cell : nullptr);
   lammps.potential("rebo");
   lammps.command("neighbor 1.0 bin\nneigh_modify every 1 delay 0\nthermo_modify norm no");
