@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
@@ -13,23 +14,39 @@
 #include "nanocarbon/remeshing/soundness.h"
 #include "nanocarbon/remeshing/surface_guide.h"
 #include "nanocarbon/remeshing/tiling.h"
+#include "nanocarbon/remeshing/valence_repair.h"
 
 namespace nanocarbon {
 namespace {
 
 // Normals are smoothed over this share of the spacing: less shows every bump, more blurs thin parts.
 constexpr double normals_length = 0.4;
+// Temperature at which annealing ends.
+constexpr double coldest = 0.2;
 
-std::size_t annealing_steps(CrystalQuality quality) {
+// Below this many triangles a coarse level says too little about where the fine one's defects belong.
+constexpr std::size_t least_coarse_faces = 1200;
+
+//! Steps of annealing and temperatures for a quality. Refined levels stay below melting: they keep their
+//! order.
+struct Effort {
+  std::size_t coarse_steps;  //!< on the first of several levels
+  std::size_t fine_steps;    //!< on each level after it
+  std::size_t single_steps;  //!< where there is one level only
+  double hot = 1.5;
+  double warm = 0.8;
+};
+
+Effort effort_for(CrystalQuality quality) {
   switch (quality) {
     case CrystalQuality::draft:
-      return 400;
+      return {3000, 1000, 1500};
     case CrystalQuality::good:
-      return 20000;
+      return {20000, 6000, 20000};
     case CrystalQuality::best:
-      return 80000;
+      break;
   }
-  return 0;
+  return {80000, 20000, 60000};
 }
 
 //! Vertices that a triangulation of this topology has for a number of faces. A border edge has no second
@@ -39,6 +56,71 @@ std::size_t vertices_for_faces(const Tiling& tiling, std::size_t faces) {
   const auto triangles = static_cast<double>(tiling.table.live_triangles());
   return static_cast<std::size_t>(
       std::max(4.0, std::round(vertices + (static_cast<double>(faces) - triangles) / 2)));
+}
+
+std::size_t count_unsound(const Tiling& tiling) {
+  std::size_t unsound = 0;
+  for (VertexIndex v = 0; v < tiling.table.vertices(); ++v)
+    unsound += soundness_around(tiling, v) < 0 ? 1 : 0;
+  return unsound;
+}
+
+void reach_faces(Tiling& tiling, std::size_t faces) {
+  const std::size_t wanted = vertices_for_faces(tiling, faces);
+  reach_vertex_count(tiling, wanted);
+  unfold(tiling, 10);
+}
+
+//! A tiling of about this many faces that is annealed from hot; the guide's normals are smoothed to fit.
+Tiling freeze(SurfaceGuide& guide, double spacing, std::size_t faces, const AnnealingSchedule& schedule) {
+  guide.smooth_normals(normals_length * spacing);
+  Tiling tiling = tiling_of(guide);
+  remesh_isotropically(tiling, spacing, 6);
+  reach_faces(tiling, faces);
+  anneal_particles(tiling, spacing, schedule);
+  return tiling;
+}
+
+//! \brief Crystallises at a quarter of the faces, or a quarter of that, and refines, annealing shortly.
+//! \return nothing where a coarse level cannot show the shape without turned or folded triangles
+std::optional<Tiling> freeze_coarse_to_fine(SurfaceGuide& guide, double spacing, int levels,
+                                            const Effort& effort, const CrystalOptions& options) {
+  AnnealingSchedule schedule{effort.coarse_steps, effort.hot, coldest, options.seed};
+  double coarse_spacing = std::ldexp(spacing, levels);
+  Tiling tiling = freeze(guide, coarse_spacing, (options.faces >> (2 * levels + 1)) * 2, schedule);
+  if (count_unsound(tiling) > 0) return std::nullopt;
+  schedule.steps = effort.fine_steps;
+  schedule.hot = effort.warm;
+  for (int level = levels - 1; level >= 0; --level) {
+    coarse_spacing /= 2;
+    guide.smooth_normals(normals_length * coarse_spacing);
+    split_in_four(tiling);
+    if (level == 0) reach_faces(tiling, options.faces);
+    if (unfold(tiling, 10) > 0) return std::nullopt;
+    anneal_particles(tiling, coarse_spacing, schedule);
+    if (level > 0 && count_unsound(tiling) > 0) return std::nullopt;
+  }
+  return tiling;
+}
+
+int deepest_levels(std::size_t faces) {
+  int levels = 0;
+  while ((faces >> (2 * (levels + 1))) >= least_coarse_faces) ++levels;
+  return levels;
+}
+
+//! Flips away what is left of wrong valences and evens the edges.
+void polish(Tiling& tiling) {
+  constexpr int rounds = 4;
+  for (int round = 0; round < rounds; ++round) {
+    unfold(tiling, 3);
+    flip_to_valences(tiling, 10);
+    const ValenceRepair repair = repair_valences(tiling);
+    settle_on_surface(tiling);
+    even_edges(tiling, mean_edge_length(tiling), 150);
+    if (round > 0 && repair.flips == 0) break;
+  }
+  settle_on_surface(tiling);
 }
 
 }  // namespace
@@ -51,36 +133,33 @@ CrystalResult crystallise(const TriangleMesh& surface, const CrystalOptions& opt
   result.spacing = std::sqrt(4 * area(surface) / (std::sqrt(3.0) * static_cast<double>(options.faces)));
   report("remeshing", 0);
   SurfaceGuide guide(surface, result.spacing);
-  guide.smooth_normals(normals_length * result.spacing);
-  Tiling tiling = tiling_of(guide);
-  remesh_isotropically(tiling, result.spacing, 6);
-  const std::size_t wanted = vertices_for_faces(tiling, options.faces);
-  if (reach_vertex_count(tiling, wanted) > wanted + wanted / 50 + 2)
-    throw UserError(
-        Failure::size,
-        fmt::format("{} faces are too few for the shape: its topology needs about {}. Ask for more.",
-                    options.faces, tiling.table.live_triangles()));
-  unfold(tiling, 10);
-  report("crystallising", 0.05);
-  AnnealingSchedule schedule;
-  schedule.steps = annealing_steps(options.quality);
-  schedule.seed = options.seed;
-  anneal_particles(tiling, result.spacing, schedule);
-  report("evening edges", 0.9);
-  for (int round = 0; round < 3; ++round) {
-    flip_to_valences(tiling, 10);
-    settle_on_surface(tiling);
-    even_edges(tiling, mean_edge_length(tiling), 120);
+  const Effort effort = effort_for(options.quality);
+  std::optional<Tiling> tiling;
+  for (int levels = deepest_levels(options.faces); levels > 0 && !tiling; --levels) {
+    report("crystallising coarse to fine", 0.05);
+    tiling = freeze_coarse_to_fine(guide, result.spacing, levels, effort, options);
+    if (tiling) result.levels = levels;
   }
-  flip_to_valences(tiling, 10);
-  settle_on_surface(tiling);
-  for (VertexIndex v = 0; v < tiling.table.vertices(); ++v) {
-    if (soundness_around(tiling, v) < 0) ++result.unsound;
-    const int charge = tiling.table.on_border(v) ? 0 : std::abs(tiling.table.valence(v) - 6);
+  if (!tiling) {
+    report("crystallising", 0.3);
+    const AnnealingSchedule schedule{effort.single_steps, effort.hot, coldest, options.seed};
+    tiling = freeze(guide, result.spacing, options.faces, schedule);
+  }
+  const std::size_t reached = tiling->table.live_triangles();
+  if (reached > options.faces + options.faces / 50 + 4)
+    throw UserError(Failure::size,
+                    fmt::format("{} atoms are too few for the shape: keeping its topology takes at least "
+                                "{}. Ask for more atoms.",
+                                options.faces, reached));
+  report("evening edges", 0.9);
+  polish(*tiling);
+  for (VertexIndex v = 0; v < tiling->table.vertices(); ++v) {
+    const int charge = tiling->table.on_border(v) ? 0 : std::abs(tiling->table.valence(v) - 6);
     result.defects += charge > 0 ? 1 : 0;
     result.bad_valences += charge > 1 ? 1 : 0;
   }
-  result.mesh = to_mesh(tiling);
+  result.unsound = count_unsound(*tiling);
+  result.mesh = to_mesh(*tiling);
   report("done", 1);
   return result;
 }

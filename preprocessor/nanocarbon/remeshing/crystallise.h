@@ -27,20 +27,27 @@ struct CrystalOptions {
 
 //! A triangulation of nearly equal edges and few defects, and how it came about.
 struct CrystalResult {
-  TriangleMesh mesh;        //!< on the surface; same topology, pieces and border
-  double spacing = 0;       //!< edge length of the ideal crystal, in the unit of the surface
+  TriangleMesh mesh;   //!< on the surface; same topology, pieces and border
+  double spacing = 0;  //!< edge length of the ideal crystal, in the unit of the surface
+  //! Refinements after the coarsest level; 0 where the shape allowed no coarser one.
+  int levels = 0;
   std::size_t defects = 0;  //!< inner vertices whose valence is not 6
-  std::size_t bad_valences =
-      0;  //!< inner vertices whose valence is outside 5 to 7; 0 wherever enough faces allow it
+  //! Inner vertices whose valence is outside 5 to 7: none wherever there are enough faces for the shape.
+  std::size_t bad_valences = 0;
   std::size_t unsound = 0;  //!< vertices with a triangle turned against the surface or folded over
 };
 
 //! \brief The best starting triangulation for a carbon molecule on a surface.
-//! \details Isotropic remeshing to the number of faces, then the vertices are annealed as repelling particles
-//! on the surface until they freeze into a crystal, then what is left of wrong valences is flipped away and
-//! edges are evened. Linear in faces; the same for the same seed. Works in any unit. \param surface an
-//! oriented 2-manifold (mesh/surface.h), closed or with border \throw UserError (size) where the surface's
-//! topology cannot be kept with so few faces
+//!
+//! Isotropic remeshing, then the vertices are annealed as particles on the surface until they freeze into a
+//! crystal. Where the shape allows, this is done with a quarter of the faces (or a quarter of that), and each
+//! triangle is split in four: no new defects, and order over longer ranges than one level reaches. Then what
+//! is left of wrong valences is flipped away and edges are evened.
+//!
+//! Linear in faces; the same for the same seed. Works in any unit.
+//!
+//! \param surface an oriented 2-manifold (mesh/surface.h), closed or with border
+//! \throw UserError (size) where the surface's topology cannot be kept with so few faces
 CrystalResult crystallise(const TriangleMesh& surface, const CrystalOptions& options);
 
 }  // namespace nanocarbon

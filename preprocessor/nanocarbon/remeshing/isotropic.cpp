@@ -15,7 +15,9 @@ double squared_length(const Tiling& tiling, HalfEdge h) {
 
 std::size_t split_long_edges(Tiling& tiling, double limit) {
   std::size_t splits = 0;
-  for (HalfEdge h = 0; h < tiling.table.half_edges(); ++h)
+  // Not what is added on the way: the next round sees it, and no edge is split without end.
+  const HalfEdge end = static_cast<HalfEdge>(tiling.table.half_edges());
+  for (HalfEdge h = 0; h < end; ++h)
     if (tiling.table.is_edge(h) && squared_length(tiling, h) > limit * limit) {
       splits += split_edge(tiling, h) ? 1 : 0;
     }

@@ -16,6 +16,7 @@ namespace {
 // 0.2.
 constexpr double time_step = 0.012;
 constexpr int steps_between_settling = 8;
+constexpr int settlings_between_unfolding = 25;
 constexpr double friction = 1.0;
 constexpr double longest_step = 0.05;
 
@@ -77,7 +78,7 @@ struct Saved {
 std::size_t settle_or_restore(Tiling& tiling, Saved& before, std::vector<Vec3>& velocities) {
   const CornerTable& table = tiling.table;
   for (VertexIndex v = 0; v < table.vertices(); ++v) place_vertex(tiling, v, tiling.points[v]);
-  std::size_t restored = 0;
+  std::vector<VertexIndex> restored;
   const auto was = [&](VertexIndex v) {
     return Corner{before.points[v], before.normals[v],
                   table.on_border(v) ? before.places[v] / 3 : before.places[v]};
@@ -94,7 +95,7 @@ std::size_t settle_or_restore(Tiling& tiling, Saved& before, std::vector<Vec3>& 
     tiling.normals[v] = before.normals[v];
     tiling.places[v] = before.places[v];
     velocities[v].setZero();
-    ++restored;
+    restored.push_back(v);
     return true;
   };
   const auto normal = [&](const std::vector<Vec3>& points, HalfEdge h) {
@@ -125,7 +126,10 @@ std::size_t settle_or_restore(Tiling& tiling, Saved& before, std::vector<Vec3>& 
     for (const HalfEdge h : affected)
       if (turned(h) || creased(h) || creased(h + 1) || creased(h + 2)) suspects.push_back(h);
   }
-  return restored;
+  // A sliver that is pressed on would be set back for ever; in the middle of its neighbours a vertex is free
+  // again.
+  for (const VertexIndex v : restored) relax_vertex(tiling, v, 0.5);
+  return restored.size();
 }
 
 void remember(const Tiling& tiling, Saved& saved) {
@@ -162,7 +166,8 @@ AnnealingResult anneal_particles(Tiling& tiling, double spacing, const Annealing
     result.set_back += settle_or_restore(tiling, before, velocities);
     const std::size_t flips = flip_to_delaunay(tiling, 2);
     result.flips += flips;
-    if (flips > 0) list_edges(tiling.table, edges);
+    if ((step + 1) % (steps_between_settling * settlings_between_unfolding) == 0) unfold(tiling, 1);
+    list_edges(tiling.table, edges);
     remember(tiling, before);
     const double progress = static_cast<double>(step + 1) / static_cast<double>(schedule.steps);
     const double temperature = schedule.hot + (schedule.cold - schedule.hot) * progress;

@@ -8,6 +8,10 @@
 namespace nanocarbon {
 namespace {
 
+// A cap, three corners nearly on a line, must be flipped into its neighbour even where that one is a little
+// unsound.
+constexpr double flip_tolerance = 0.15;
+
 //! Whether a flip would fold one of the five edges it touches, and more than any of them is folded now.
 bool makes_crease(const Tiling& tiling, HalfEdge h) {
   const CornerTable& table = tiling.table;
@@ -30,7 +34,7 @@ bool makes_crease(const Tiling& tiling, HalfEdge h) {
   outside(CornerTable::previous(h), abc, adc);
   outside(CornerTable::next(o), bad, adc);
   outside(CornerTable::previous(o), bad, bcd);
-  return after < creased_below && after < before;
+  return after < creased_below - flip_tolerance && after < before;
 }
 
 //! Least soundness of the triangle that replaces the one of half-edge k, with `as` in place of origin(k).
@@ -97,7 +101,7 @@ bool flip_is_sound(const Tiling& tiling, HalfEdge h) {
   if (table.valence(a) < least_a || table.valence(b) < least_b) return false;
   if (makes_crease(tiling, h)) return false;
   const double after = std::min(facing(tiling, a, d, c), facing(tiling, b, c, d));
-  if (after >= turned_below) return true;
+  if (after >= turned_below - flip_tolerance) return true;
   return after > std::min(facing(tiling, a, b, c), facing(tiling, b, a, d));
 }
 

@@ -68,7 +68,8 @@ TriangulationQuality measure_triangulation(const TriangleMesh& triangulation, co
   for (std::size_t t = 0; t < quality.faces; ++t) {
     const auto foot = tree.nearest(centroid(triangulation, t));
     distances.add(foot.distance);
-    if (area_vector(triangulation, t).dot(area_vector(surface, foot.triangle)) < 0) ++quality.folds;
+    const Vec3 here = area_vector(triangulation, t), there = area_vector(surface, foot.triangle);
+    if (here.dot(there) < -0.5 * here.norm() * there.norm()) ++quality.folds;
   }
   quality.distance_mean = distances.mean() / quality.edge_mean;
   quality.distance_max = distances.most / quality.edge_mean;

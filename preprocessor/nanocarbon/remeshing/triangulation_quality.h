@@ -18,7 +18,9 @@ struct TriangulationQuality {
   double bond_cv = 0;       //!< the same of the edges of the dual of centroids
   double bond_min = 0;
   double bond_max = 0;
-  std::size_t folds = 0;     //!< triangles whose normal is turned against the surface's at their centroid
+  //! Triangles turned by more than 120 degrees against the surface at the point nearest to their centroid.
+  //! Those across a rim thinner than an edge rightly stand square to both sides.
+  std::size_t folds = 0;
   double distance_mean = 0;  //!< from centroids and vertices to the surface, in mean edges
   double distance_max = 0;
 };
