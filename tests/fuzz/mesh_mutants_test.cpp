@@ -1,10 +1,7 @@
 // Thousands of damaged mesh files, always the same ones: each must be refused as the user's error or come out
 // as promised, without a crash, a hang, or an allocation that the file's size does not justify.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <random>
 
 #include "fuzz/allocation_watch.h"
@@ -13,17 +10,12 @@
 #include "nanocarbon/mesh/triangulate.h"
 #include "nanocarbon/mesh/write_mesh.h"
 #include "support/small_meshes.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon {
 namespace {
 
-namespace fs = std::filesystem;
 using Random = std::mt19937_64;
-
-std::string contents(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 struct Seed {
   std::string file;
@@ -32,9 +24,7 @@ struct Seed {
 
 // A small valid file of every format and variant.
 std::vector<Seed> seeds() {
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("nanocarbon_mesh_mutants_" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const test::TemporaryFolder folder;
   const TriangleMesh cube = triangulate(test::cube(Vec3(0.25, -1, 3))).mesh;
   const MeshColours colours = colours_by_quality(cube, 0.5, 1.2);
   std::vector<Seed> result;
@@ -42,9 +32,8 @@ std::vector<Seed> seeds() {
     for (const bool text : {true, false})
       for (const bool coloured : {true, false}) {
         write_mesh(folder / name, cube, {text, coloured ? &colours : nullptr});
-        result.push_back({name, contents(folder / name)});
+        result.push_back({name, test::contents_of(folder / name)});
       }
-  fs::remove_all(folder);
   result.push_back(
       {"b.off",
        "# quads\nSTCNOFF 8 6 12\n0 0 0 1 1 1 1 1 1 1 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"

@@ -4,38 +4,29 @@
 #include <unistd.h>
 
 #include <clocale>
-#include <fstream>
+#include <locale>
 
 #include "support/refusal.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 class ReadMesh : public testing::Test {
  protected:
-  void SetUp() override {
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder = fs::path(testing::TempDir()) / ("nanocarbon_read_mesh_" + test);
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+  std::filesystem::path file(const std::string& name, const std::string& contents) const {
+    return folder.file(name, contents);
   }
-  void TearDown() override { fs::remove_all(folder); }
-
-  fs::path file(const std::string& name, const std::string& contents) const {
-    std::ofstream(folder / name, std::ios::binary) << contents;
-    return folder / name;
-  }
-  std::string unreadable(const fs::path& path) const {
+  std::string unreadable(const std::filesystem::path& path) const {
     return test::refusal(Failure::unreadable, [&] { read_mesh(path); });
   }
-  std::string malformed(const fs::path& path) const {
+  std::string malformed(const std::filesystem::path& path) const {
     return test::refusal(Failure::malformed, [&] { read_mesh(path); });
   }
 
-  fs::path folder;
+  test::TemporaryFolder folder;
 };
 
 const std::string off = "OFF\n3 1 0\n0.5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -50,15 +41,15 @@ TEST_F(ReadMesh, TheContentsDecideWhateverTheExtension) {
 
 TEST_F(ReadMesh, WhatCannotBeReadIsSaidSo) {
   EXPECT_THAT(unreadable(folder / "none.off"), HasSubstr("none.off: cannot be read: "));
-  EXPECT_THAT(unreadable(folder / "no" / "folder.off"), HasSubstr("folder.off"));
-  EXPECT_THAT(unreadable(folder), HasSubstr("it is a directory"));
+  EXPECT_THAT(unreadable(folder / "no/folder.off"), HasSubstr("folder.off"));
+  EXPECT_THAT(unreadable(folder.path()), HasSubstr("it is a directory"));
   EXPECT_THAT(unreadable("/dev/null"), HasSubstr("no regular file"));
 }
 
 TEST_F(ReadMesh, AForbiddenFileIsSaidSo) {
   if (geteuid() == 0) GTEST_SKIP() << "nothing is forbidden to root";
-  const fs::path path = file("a.off", off);
-  fs::permissions(path, fs::perms::none);
+  const std::filesystem::path path = file("a.off", off);
+  std::filesystem::permissions(path, std::filesystem::perms::none);
   EXPECT_THAT(unreadable(path), HasSubstr("Permission denied"));
 }
 
@@ -72,16 +63,19 @@ TEST_F(ReadMesh, WhatIsNoMeshIsSaidSo) {
   EXPECT_THAT(malformed(file("a.stl", "PK\x03\x04")), HasSubstr("ZIP archive"));
 }
 
+// A locale with a decimal comma, as German and French have it, whichever are installed.
+struct DecimalComma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+
 TEST_F(ReadMesh, TheLocaleDoesNotMatter) {
-  bool found = false;
-  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE.utf8"})
-    if (std::setlocale(LC_ALL, name)) {
-      found = true;
-      break;
-    }
-  EXPECT_EQ(read_mesh(file("a.off", off)).points[0].x(), 0.5);
-  std::setlocale(LC_ALL, "C");
-  if (!found) GTEST_SKIP() << "no locale with a decimal comma is installed here";
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"})
+    if (std::setlocale(LC_NUMERIC, name)) break;
+  const double x = read_mesh(file("a.off", off)).points[0].x();
+  std::setlocale(LC_NUMERIC, "C");
+  std::locale::global(before);
+  EXPECT_EQ(x, 0.5);
 }
 
 }  // namespace

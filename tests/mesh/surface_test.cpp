@@ -2,11 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "nanocarbon/mesh/triangulate.h"
 #include "support/refusal.h"
 #include "support/small_meshes.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon {
 namespace {
@@ -185,12 +184,13 @@ TEST(Surface, ANeedleWithTwoVerticesAtOnePlaceIsRefused) {
 }
 
 TEST(Surface, EveryReasonIsToldAtOnce) {
+  const test::TemporaryFolder folder;
+  // Two tetrahedra that share a vertex, and a fin at an edge of the first.
   const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / "nanocarbon_surface_test.obj";
-  // Two tetrahedra that share a vertex, a third that goes through the first, and a fin at one of its edges.
-  std::ofstream(path) << "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nv 3 3 1\nv 3 1 3\nv 1 3 3\n"
-                         "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\nf 1 5 6\nf 1 6 7\nf 1 7 5\nf 5 7 6\n"
-                         "v 9 0 0\nf 2 3 8\n";
+      folder.file("nanocarbon_surface_test.obj",
+                  "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nv 3 3 1\nv 3 1 3\nv 1 3 3\n"
+                  "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\nf 1 5 6\nf 1 6 7\nf 1 7 5\nf 5 7 6\n"
+                  "v 9 0 0\nf 2 3 8\n");
   const std::string message = test::refusal(Failure::unsuitable, [&] { load_surface(path); });
   EXPECT_THAT(message, HasSubstr("nanocarbon_surface_test.obj: the mesh cannot be used:"));
   EXPECT_THAT(
@@ -198,7 +198,6 @@ TEST(Surface, EveryReasonIsToldAtOnce) {
       HasSubstr("1 edge has more than two faces (at (0, 0, -1), faces 0 and 3 and 8, vertices 1, 2;"));
   EXPECT_THAT(message,
               HasSubstr("1 vertex holds parts of the surface together by a single point (at (1, 1, 1)"));
-  std::filesystem::remove(path);
 }
 
 TEST(Surface, PointsWithoutFacesAreRefused) {

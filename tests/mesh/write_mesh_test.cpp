@@ -2,39 +2,28 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <limits>
 
 #include "nanocarbon/mesh/read_mesh.h"
 #include "nanocarbon/mesh/triangulate.h"
 #include "support/refusal.h"
 #include "support/small_meshes.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 class WriteMesh : public testing::Test {
  protected:
   void SetUp() override {
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder = fs::path(testing::TempDir()) / ("nanocarbon_write_mesh_" + test);
-    fs::remove_all(folder);
-    fs::create_directories(folder);
     mesh = triangulate(test::torus(13, 7)).mesh;
     mesh.points[0] = Vec3(0.1 + 0.2, -1.0 / 3.0, 1e-300);
     mesh.points[1] = Vec3(std::numeric_limits<double>::denorm_min(), 123456789012345678.0, -9.87654321e99);
   }
-  void TearDown() override { fs::remove_all(folder); }
 
-  std::string contents(const fs::path& path) const {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
-  fs::path folder;
+  test::TemporaryFolder folder;
   TriangleMesh mesh;
 };
 
@@ -72,7 +61,7 @@ TEST_F(WriteMesh, StlNumbersVerticesAnewAndInBinaryHoldsFloats) {
 
   mesh = triangulate(test::torus(13, 7)).mesh;
   write_mesh(folder / "a.stl", mesh);
-  EXPECT_EQ(fs::file_size(folder / "a.stl"), 84 + 50 * mesh.triangles.size());
+  EXPECT_EQ(std::filesystem::file_size(folder / "a.stl"), 84 + 50 * mesh.triangles.size());
   const PolygonSoup binary = read_mesh(folder / "a.stl");
   EXPECT_EQ(binary.points.size(), mesh.points.size());
   for (std::size_t i = 0; i < binary.corners.size(); ++i)
@@ -110,7 +99,7 @@ TEST_F(WriteMesh, ColoursByQualityAreThoseOfTheThesis) {
 TEST_F(WriteMesh, ThePlyHeaderDeclaresTheColours) {
   const MeshColours colours = colours_by_quality(test::tetrahedron(), 1, 2);
   write_mesh(folder / "a.ply", test::tetrahedron(), {true, &colours});
-  const std::string text = contents(folder / "a.ply");
+  const std::string text = test::contents_of(folder / "a.ply");
   EXPECT_THAT(text, HasSubstr("element vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
                               "property uchar red\n"));
   EXPECT_THAT(text,
@@ -120,7 +109,7 @@ TEST_F(WriteMesh, ThePlyHeaderDeclaresTheColours) {
 TEST_F(WriteMesh, OtherExtensionsAreRefused) {
   EXPECT_THAT(test::refusal(Failure::usage, [&] { write_mesh(folder / "a.txt", mesh); }),
               HasSubstr(".off, .obj"));
-  EXPECT_THAT(test::refusal(Failure::unwritable, [&] { write_mesh(folder / "no" / "a.off", mesh); }),
+  EXPECT_THAT(test::refusal(Failure::unwritable, [&] { write_mesh(folder / "no/a.off", mesh); }),
               HasSubstr("cannot be written"));
 }
 
