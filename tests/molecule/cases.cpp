@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "molecule/shapes.h"
 #include "nanocarbon/molecule/bond_graph.h"
@@ -30,7 +31,7 @@ std::vector<Triangle> grid_triangles(int columns, int rows, const Glued& glued) 
 }
 
 // The surface of a body of unit cubes, its quads cut in two and its vertices averaged with their neighbours.
-TriangleMesh surface_of_cubes(const std::vector<std::array<int, 3>>& cubes) {
+TriangleMesh surface_of_cubes(const std::set<std::array<int, 3>>& cubes) {
   std::map<std::array<int, 3>, VertexIndex> vertices;
   TriangleMesh mesh;
   const auto vertex = [&](const std::array<int, 3>& at) {
@@ -38,9 +39,7 @@ TriangleMesh surface_of_cubes(const std::vector<std::array<int, 3>>& cubes) {
     if (is_new) mesh.points.emplace_back(at[0], at[1], at[2]);
     return found->second;
   };
-  const auto filled = [&](const std::array<int, 3>& c) {
-    return std::find(cubes.begin(), cubes.end(), c) != cubes.end();
-  };
+  const auto filled = [&](const std::array<int, 3>& c) { return cubes.count(c) > 0; };
   for (const auto& cube : cubes)
     for (std::size_t d = 0; d < 3; ++d)
       for (const int side : {0, 1}) {
@@ -212,13 +211,13 @@ Molecule klein_bottle() {
 }
 
 Molecule handles(int genus) {
-  std::vector<std::array<int, 3>> cubes;
+  std::set<std::array<int, 3>> cubes;
   const int length = 8 * genus + 4;
   for (int x = 0; x < length; ++x)
     for (int y = 0; y < 12; ++y)
       for (int z = 0; z < 4; ++z) {
         const bool hole = x % 8 >= 4 && x % 8 < 8 && y >= 4 && y < 8;
-        if (!hole) cubes.push_back({x, y, z});
+        if (!hole) cubes.insert({x, y, z});
       }
   return dual(scaled_to_carbon(surface_of_cubes(cubes)));
 }

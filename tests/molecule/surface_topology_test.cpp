@@ -100,16 +100,17 @@ class KnownSurface : public testing::TestWithParam<Known> {
 TEST_P(KnownSurface, IsRecognised) { expect_known(topology(GetParam().make())); }
 
 TEST_P(KnownSurface, IsRecognisedInAnyOrientationAndOrder) {
+  const Molecule molecule = GetParam().make();
   for (const std::uint64_t seed : {1, 2, 3})
-    expect_known(topology(test::turned_and_shuffled(GetParam().make(), seed)));
+    expect_known(topology(test::turned_and_shuffled(molecule, seed)));
 }
 
 TEST_P(KnownSurface, IsRecognisedInThermalMotion) {
   // Graphite's atoms move by 0.1 Angstrom (standard deviation) out of their planes at about 1000 K.
+  const Molecule molecule = GetParam().make();
   for (const double deviation : {0.05, 0.1, 0.15})
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5})
-      if (deviation <= GetParam().hottest)
-        expect_known(topology(test::rattled(GetParam().make(), deviation, seed)));
+    for (const std::uint64_t seed : {1, 2, 3})
+      if (deviation <= GetParam().hottest) expect_known(topology(test::rattled(molecule, deviation, seed)));
 }
 
 TEST_P(KnownSurface, HasTheEulerCharacteristicOfItsRings) {
