@@ -1,11 +1,9 @@
 #include "nanocarbon/molecule/rotation_system.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "nanocarbon/molecule/signed_sets.h"
+#include "nanocarbon/molecule/orientation.h"
 
 namespace nanocarbon {
 namespace {
@@ -66,54 +64,6 @@ void carry_normals(const EmbeddedGraph& graph, RotationSystem& r) {
   r.bare_cycle.assign(r.skeleton.pieces, 0);
   for (AtomIndex a = 0; a < graph.atoms(); ++a)
     if (r.skeleton.degree[a] == 2 && !reached[a]) r.bare_cycle[r.skeleton.piece[a]] = 1;
-}
-
-// Cosine of the angle by which a bond is twisted, between the normals of its two atoms seen along it.
-double agreement(const Vec3& normal, const Vec3& other, const Vec3& along) {
-  const Vec3 unit = along.normalized();
-  const Vec3 a = perpendicular(normal, unit), b = perpendicular(other, unit);
-  const double product = a.norm() * b.norm();
-  return product > 1e-6 ? a.dot(b) / product : 0.0;
-}
-
-// Decides twists and, by them, orients the pieces. Bonds that cannot be told come last: one that joins two
-// parts may have any twist, since either part may be turned over as a whole.
-void orient(const EmbeddedGraph& graph, RotationSystem& r) {
-  constexpr double undecided = 0.1;  // cosine; within six degrees of a right angle
-  struct Doubtful {
-    AtomIndex atom;
-    std::uint32_t half_edge;
-  };
-  r.twisted.assign(graph.ends.size(), 0);
-  r.one_sided.assign(r.skeleton.pieces, 0);
-  SignedSets sides(graph.atoms());
-  std::vector<Doubtful> doubtful;
-  for (AtomIndex a = 0; a < graph.atoms(); ++a)
-    for (std::uint32_t h = graph.offsets[a]; h < graph.offsets[a + 1]; ++h) {
-      const std::uint32_t back = r.skeleton.twin[h];
-      if (back == none || back < h || r.bare_cycle[r.skeleton.piece[a]]) continue;
-      const double cosine = agreement(r.normals[a], r.normals[graph.ends[h]], graph.vectors[h]);
-      if (std::abs(cosine) < undecided) {
-        doubtful.push_back({a, h});
-        continue;
-      }
-      r.twisted[h] = r.twisted[back] = cosine < 0.0;
-      if (!sides.join(a, graph.ends[h], cosine < 0.0)) r.one_sided[r.skeleton.piece[a]] = 1;
-    }
-  for (const auto& [a, h] : doubtful) {
-    const AtomIndex end = graph.ends[h];
-    if (sides.find(a).root == sides.find(end).root) {
-      r.skeleton.problem =
-          NotASurface{fmt::format("the bond of atom ID {} with atom ID {} is twisted by a right "
-                                  "angle, so that its sides cannot be told",
-                                  graph.id(a), graph.id(end)),
-                      a};
-      return;
-    }
-    sides.join(a, end);
-  }
-  r.flipped.resize(graph.atoms());
-  for (AtomIndex a = 0; a < graph.atoms(); ++a) r.flipped[a] = sides.find(a).opposite;
 }
 
 // Turns over pieces whose normals point inwards: on the whole, a surface bends away from its outer normal.

@@ -27,11 +27,8 @@ struct RotationSystem {
 //! \brief The rotation system of an embedded bond graph.
 //! \details The normal of an atom with three bonds is that of the triangle of their unit vectors. Atoms with
 //! two bonds have theirs carried along from the nearest atoms with three, so that a flapping edge atom says
-//! nothing wrong. Two normals agree when their components perpendicular to the bond do: a bond twisted by
-//! less than a right angle, which thermal motion and strong curvature leave alone. A bond within six degrees
-//! of a right angle is undecided: harmless where it closes no cycle, a problem where it does. Consistency is
-//! settled by a union-find with parity. A hydrogen hangs on its nearest neighbour only. Pieces that are a
-//! bare cycle have no sides to tell; all their bonds count as untwisted.
+//! nothing wrong. Pieces that are a bare cycle have no sides to tell; all their bonds count as untwisted.
+//! Orientation: orientation.h.
 RotationSystem rotation_system(const EmbeddedGraph& graph);
 
 }  // namespace nanocarbon
