@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "build.h"
+#include "energy.h"
 #include "inspect.h"
 #include "make.h"
 #include "nanocarbon/core/error.h"
@@ -21,6 +22,7 @@ int run(int argc, char** argv) {
   nanocarbon::add_inspect(app);
   nanocarbon::add_build(app);
   nanocarbon::add_make(app);
+  nanocarbon::add_energy(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {
