@@ -3,11 +3,23 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <type_traits>
 
 #include "nanocarbon/core/error.h"
 
 namespace nanocarbon {
 namespace {
+
+// An option that takes one of a few names. (CLI11's transformers would replace the name that was typed by a
+// number, and the command line that goes into the files would show that.)
+template <class Value>
+void add_choice(CLI::App& app, const std::string& option, Value& value,
+                const std::type_identity_t<std::map<std::string, Value>>& choices, const std::string& help) {
+  app.add_option_function<std::string>(
+         option, [&value, choices](const std::string& name) { value = choices.at(name); }, help)
+      ->check(CLI::IsMember(choices))
+      ->type_name("NAME");
+}
 
 void add_size_options(CLI::App& sub, BuildCommand& c) {
   auto* size =
@@ -21,14 +33,12 @@ void add_size_options(CLI::App& sub, BuildCommand& c) {
 }
 
 void add_output_options(CLI::App& sub, BuildCommand& c) {
-  sub.add_option("--atom-style", c.atom_style, "LAMMPS atom style: atomic, charge, molecular or full")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, AtomStyle>{{"atomic", AtomStyle::atomic},
-                                                                   {"charge", AtomStyle::charge},
-                                                                   {"molecular", AtomStyle::molecular},
-                                                                   {"full", AtomStyle::full}}))
-      ->default_str("molecular")
-      ->type_name("STYLE");
+  add_choice(sub, "--atom-style", c.atom_style,
+             {{"atomic", AtomStyle::atomic},
+              {"charge", AtomStyle::charge},
+              {"molecular", AtomStyle::molecular},
+              {"full", AtomStyle::full}},
+             "LAMMPS atom style: atomic, charge, molecular (default) or full");
   sub.add_option("--margin", c.margin, "Empty box around the atoms, Angstrom")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -43,23 +53,18 @@ void add_output_options(CLI::App& sub, BuildCommand& c) {
 
 void add_recipe_options(CLI::App& sub, BuildCommand& c) {
   auto* group = sub.add_option_group("Recipe", "How the mesh becomes a molecule");
-  group
-      ->add_option(
-          "--recipe", c.build.recipe,
-          "annealed (needs no parameters), thesis (adaptive remeshing, then the dual), or the thesis's "
-          "forerunners pecanha2013, hauck2014, hauck2015")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Recipe>{{"annealed", Recipe::annealed},
-                                                                        {"thesis", Recipe::thesis},
-                                                                        {"pecanha2013", Recipe::pecanha2013},
-                                                                        {"hauck2014", Recipe::hauck2014},
-                                                                        {"hauck2015", Recipe::hauck2015}}))
-      ->default_str("annealed")
-      ->type_name("NAME");
-  group->add_option("--quality", c.build.quality, "Time spent on low energy: draft, good or best")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, AnnealQuality>{
-          {"draft", AnnealQuality::draft}, {"good", AnnealQuality::good}, {"best", AnnealQuality::best}}))
-      ->default_str("good")
-      ->type_name("NAME");
+  add_choice(
+      *group, "--recipe", c.build.recipe,
+      {{"annealed", Recipe::annealed},
+       {"thesis", Recipe::thesis},
+       {"pecanha2013", Recipe::pecanha2013},
+       {"hauck2014", Recipe::hauck2014},
+       {"hauck2015", Recipe::hauck2015}},
+      "annealed (default; needs no parameters), thesis (adaptive remeshing, then the dual), or the thesis's "
+      "forerunners pecanha2013, hauck2014, hauck2015");
+  add_choice(*group, "--quality", c.build.quality,
+             {{"draft", AnnealQuality::draft}, {"good", AnnealQuality::good}, {"best", AnnealQuality::best}},
+             "Time spent on low energy: draft, good (default) or best");
   group
       ->add_option("--bond-length", c.build.bond_length,
                    "Bond length that the size is reckoned with, Angstrom")

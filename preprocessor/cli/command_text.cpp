@@ -12,18 +12,26 @@ std::string quoted(const std::string& word) {
   return plain ? word : "'" + word + "'";
 }
 
+void append_options(std::string& text, const CLI::App& command, bool positional) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_positional() != positional) continue;
+    if (!positional) text += " " + option->get_name();
+    if (positional || option->get_items_expected_max() > 0)
+      for (const std::string& word : option->results()) text += " " + quoted(word);
+  }
+  // Groups of options are subcommands without a name.
+  for (const CLI::App* group :
+       command.get_subcommands([](const CLI::App* app) { return app->get_name().empty(); }))
+    append_options(text, *group, positional);
+}
+
 }  // namespace
 
 std::string command_text(const CLI::App& subcommand) {
   std::string text = subcommand.get_parent() ? command_text(*subcommand.get_parent()) + " " : std::string();
   text += subcommand.get_name();
-  for (const bool positional : {true, false})
-    for (const CLI::Option* option : subcommand.get_options()) {
-      if (option->count() == 0 || option->get_positional() != positional) continue;
-      if (!positional) text += " " + option->get_name();
-      if (positional || option->get_items_expected_max() > 0)
-        for (const std::string& word : option->results()) text += " " + quoted(word);
-    }
+  append_options(text, subcommand, true);
+  append_options(text, subcommand, false);
   return text;
 }
 

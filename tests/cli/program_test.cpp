@@ -129,7 +129,12 @@ TEST_F(Program, BuildsAClosedCageByTheThesis) {
   const auto report = nlohmann::json::parse(contents(path("out.json")));
   expect_a_closed_cage(report, 400);
   const long atoms = report["molecule"]["atoms"], rings = report["molecule"]["rings"];
-  EXPECT_THAT(contents(path("out.data")), HasSubstr(std::to_string(atoms) + " atoms"));
+  const std::string data = contents(path("out.data"));
+  EXPECT_THAT(data, HasSubstr(std::to_string(atoms) + " atoms"));
+  // The first line tells how to make it again.
+  EXPECT_THAT(data.substr(0, data.find('\n')),
+              testing::AllOf(HasSubstr("nanocarbon build"), HasSubstr("--recipe thesis"),
+                             HasSubstr("--atoms 400"), HasSubstr("--projection-interval 0")));
   EXPECT_TRUE(contents(path("out.xyz")).starts_with(std::to_string(atoms) + "\n"));
   // The triangulation in the file is what the molecule is the dual of.
   const auto mesh = nlohmann::json::parse(run("inspect --json " + path("out.ply")).out);
