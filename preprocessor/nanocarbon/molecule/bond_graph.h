@@ -30,8 +30,9 @@ struct BondDistances {
 //! \brief The bonds of atoms at given places, sorted, one entry for each periodic image that is bonded.
 //! \details With hysteresis: a pair closer than `form` is bonded, and one closer than `breaking` where it was
 //! before. A pair's bonds are recognised by its atoms and their number, not by image, so that positions may
-//! have been wrapped in between. Linear in atoms. \param previous the bonds before, sorted; none to start
-//! with \param cell nullptr for no periodicity; positions need not lie inside it
+//! have been wrapped in between. Linear in atoms.
+//! \param previous the bonds before, sorted; none to start with
+//! \param cell nullptr for no periodicity; positions need not lie inside it
 std::vector<Bond> bonds_within(std::span<const Vec3> positions, std::span<const Element> elements,
                                const Cell* cell, const BondDistances& distances = {},
                                std::span<const Bond> previous = {});
@@ -59,10 +60,11 @@ std::vector<BondedIds> bonded_ids(std::span<const Bond> bonds);
 inline constexpr std::uint32_t no_piece = 0xffffffffu;
 
 //! \brief For each atom of the start, whether it is repelled: no longer in the piece that most atoms of its
-//! initial piece are in, or lost. \details Where two pieces hold equally many, the one that holds the lowest
-//! of the initial piece's atoms counts. With atoms in the order of their IDs the result depends on nothing
-//! else. Linear. \param initial piece of each atom at the start \param now piece of each of the same atoms
-//! now, or no_piece
+//! initial piece are in, or lost.
+//! \details Where two pieces hold equally many, the one that holds the lowest of the initial piece's atoms
+//! counts. With atoms in the order of their IDs the result depends on nothing else. Linear.
+//! \param initial piece of each atom at the start
+//! \param now piece of each of the same atoms now, or no_piece
 std::vector<bool> repelled_atoms(std::span<const std::uint32_t> initial, std::span<const std::uint32_t> now);
 
 }  // namespace nanocarbon

@@ -36,9 +36,12 @@ struct BondEnd {
 };
 
 //! \brief From bond ends gathered in any order, as from the ranks of a parallel run. Atoms are numbered as in
-//! `ids`. \details The result does not depend on the order of the ends. Ends at or towards IDs that are not
-//! listed are left out; the other end of such a bond is then reported by surface_topology, unless it is left
-//! out as well. \param ids of all atoms, in ascending order without repetition \param elements of these atoms
+//! `ids`.
+//! \details The result does not depend on the order of the ends. Ends at or towards IDs that are not listed
+//! are left out; the other end of such a bond is then reported by surface_topology, unless it is left out as
+//! well.
+//! \param ids of all atoms, in ascending order without repetition
+//! \param elements of these atoms
 EmbeddedGraph embedded_graph(std::span<const std::int64_t> ids, std::span<const Element> elements,
                              std::span<const BondEnd> ends);
 

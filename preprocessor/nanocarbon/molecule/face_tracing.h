@@ -19,8 +19,8 @@ struct Faces {
 //! \brief Traces the faces: along a half-edge, then always the next one on the left.
 //! \details Over a twisted bond left and right swap. Each bond is passed twice in all, each face is found
 //! once, also where the surface has only one side. Faces of an oriented piece lie to the left seen against
-//! its normals (turned where `flipped`). Rows start at the lowest atom. \pre rotation.skeleton.problem is
-//! empty
+//! its normals (turned where `flipped`). Rows start at the lowest atom.
+//! \pre rotation.skeleton.problem is empty
 Faces trace_faces(const EmbeddedGraph& graph, const RotationSystem& rotation);
 
 }  // namespace nanocarbon

@@ -13,7 +13,8 @@ struct HydrogenOptions {
 //! plane of the other atom's bonds; an atom alone becomes a flat CH3. Where the directions leave a choice (a
 //! straight chain) it depends on the bonds' directions alone. Hydrogen atoms come after all others, in the
 //! order of their carbon atoms; rings stay. Atoms with three bonds or more, and hydrogen atoms, are left as
-//! they are. \pre the bonds are known
+//! they are.
+//! \pre the bonds are known
 Molecule saturated_with_hydrogen(const Molecule& molecule, const HydrogenOptions& options = {});
 
 }  // namespace nanocarbon

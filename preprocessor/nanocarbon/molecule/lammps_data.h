@@ -31,7 +31,8 @@ struct LammpsDataOptions {
 //! In periodic directions the box is the cell, atoms are wrapped into it, and image flags keep what they
 //! were. A molecule whose cell is not in LAMMPS's form (a along x, b in the xy plane) is rotated into it. In
 //! the other directions the box leaves the margin around the atoms. Numbers are the shortest text that reads
-//! back exactly. \throw UserError (unsuitable) naming the first atom that is not at finite coordinates
+//! back exactly.
+//! \throw UserError (unsuitable) naming the first atom that is not at finite coordinates
 void write_lammps_data(std::ostream& out, const Molecule& molecule, const LammpsDataOptions& options = {});
 
 //! The same, whole or not at all, to a file.
@@ -57,8 +58,8 @@ struct LammpsData {
 //! a file without Masses type 1 = C, 2 = H. Image flags unwrap positions. LAMMPS data files do not say which
 //! directions are periodic: the comment "# boundary p p f" of our own files does, and without it all are, as
 //! by LAMMPS's default; where none is, the molecule has no cell. Of bonds across boundaries the nearest image
-//! is taken. Velocities, angles, coefficients and unknown sections are passed over. \throw UserError
-//! (unreadable; malformed, naming file and line; unsuitable for other elements)
+//! is taken. Velocities, angles, coefficients and unknown sections are passed over.
+//! \throw UserError (unreadable; malformed, naming file and line; unsuitable for other elements)
 LammpsData read_lammps_data(const std::filesystem::path& path, const LammpsReadOptions& options = {});
 //! \param name to appear in errors in place of a path
 LammpsData read_lammps_data(std::istream& in, const std::string& name, const LammpsReadOptions& options = {});

@@ -59,7 +59,8 @@ class AtomColumns {
   std::optional<AtomStyle> style_;
 };
 
-//! Makes the molecule. \throw UserError as read_lammps_data
+//! Makes the molecule.
+//! \throw UserError as read_lammps_data
 LammpsData assemble(const TextInput& input, LammpsFile file, const LammpsReadOptions& options);
 
 }  // namespace nanocarbon

@@ -11,8 +11,8 @@ namespace nanocarbon {
 //! degrees of a right angle, which say nothing. Those that lie on a cycle of at most twelve bonds which
 //! closes in space take the sign that the rest of the cycle implies: the neighbourhood of so short a cycle is
 //! no Moebius band, so it is the bond that is bent out of shape. Contradictions on longer cycles make their
-//! piece one-sided; undecided bonds there are a problem, and not guessed. \pre `normals`, `bare_cycle` and
-//! the skeleton are known
+//! piece one-sided; undecided bonds there are a problem, and not guessed.
+//! \pre `normals`, `bare_cycle` and the skeleton are known
 void orient(const EmbeddedGraph& graph, RotationSystem& rotation);
 
 }  // namespace nanocarbon

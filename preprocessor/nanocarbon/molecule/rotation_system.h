@@ -7,10 +7,10 @@
 namespace nanocarbon {
 
 //! \brief A signed rotation system: which half-edge follows which around each atom, and over which bonds
-//! sides swap. \details Of the skeleton: carbon without hydrogen and without trees that hang on by one bond.
-//! There, atoms have three or two bonds, or none (what is left of a piece without cycles). The cyclic order
-//! of three bonds is unique up to its sense, so geometry decides only whether the senses of two bonded atoms
-//! agree.
+//! sides swap.
+//! \details Of the skeleton: carbon without hydrogen and without trees that hang on by one bond. There, atoms
+//! have three or two bonds, or none (what is left of a piece without cycles). The cyclic order of three bonds
+//! is unique up to its sense, so geometry decides only whether the senses of two bonded atoms agree.
 struct RotationSystem {
   Skeleton skeleton;                //!< nothing below counts where it has a problem
   std::vector<std::uint32_t> next;  //!< half-edge counter-clockwise around its atom, seen against the normal

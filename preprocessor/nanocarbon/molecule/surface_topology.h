@@ -49,13 +49,13 @@ struct TopologyOptions {
 };
 
 //! \brief Reads a molecule's surface off its bonds by face tracing (not by shortest cycles).
-//! \details rotation_system.h says how sides are told, face_tracing.h how faces are. Rings are the faces of
-//! at most max_ring atoms, the others are boundary loops; so is a shorter face that turns the wrong way or
-//! not at all (less than half a full turn to the left), as the rim of a naphthalene or of a thin open tube
-//! does. Hydrogen is not part of the surface. Carbon that hangs on by one bond, alone or as a tree, is left
-//! out of faces and changes nothing. Not a surface, and never guessed: a carbon atom bonded to four or more
-//! others; a bond known to one of its atoms only; a cycle through a bond so twisted that its sides cannot be
-//! told. Linear; 10,000 atoms take milliseconds.
+//! \details orientation.h says how sides are told, face_tracing.h how faces are. Rings are the faces of at
+//! most max_ring atoms, the others are boundary loops; so is a shorter face that turns the wrong way or not
+//! at all (less than half a full turn to the left), as the rim of a naphthalene or of a thin open tube does.
+//! Hydrogen is not part of the surface. Carbon that hangs on by one bond, alone or as a tree, is left out of
+//! faces and changes nothing. Not a surface, and never guessed: a carbon atom bonded to four or more others;
+//! a bond known to one of its atoms only; a bond twisted by a right angle that only long cycles go through.
+//! Linear; 10,000 atoms take two milliseconds.
 SurfaceTopology surface_topology(const EmbeddedGraph& graph, const TopologyOptions& options = {});
 
 enum class Verdict { intact = 0, homeomorphic = 1, broken = 2, not_a_surface = 3 };
@@ -70,7 +70,8 @@ struct Judgement {
 //! \brief Compares a surface with the one it was.
 //! \details Intact: the bonds are the same, whatever they make. Homeomorphic: other bonds, but the pieces are
 //! of the same kinds (the multisets of PieceTopology are equal; sums alone would miss changes that make up
-//! for each other). \param lost_atoms atoms that are no longer there at all, which is broken
+//! for each other).
+//! \param lost_atoms atoms that are no longer there at all, which is broken
 Judgement judge(const SurfaceTopology& start, const SurfaceTopology& now, bool same_bonds,
                 std::size_t lost_atoms = 0);
 

@@ -31,7 +31,8 @@ class TextInput {
   [[noreturn]] void fail(const std::string& message) const { fail_at(number_, message); }
   [[noreturn]] void fail_at(std::size_t line_number, const std::string& message) const;
 
-  //! A whole token as a finite number. \throw UserError (malformed) that says what was expected
+  //! A whole token as a finite number.
+  //! \throw UserError (malformed) that says what was expected
   double real(std::string_view token, std::string_view what) const;
   //! A number whose size is possible for a coordinate: at most 1e9 Angstrom.
   double coordinate(std::string_view token, std::string_view what) const;
