@@ -143,7 +143,7 @@ double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
 }
 
 double FixedBondRebo2::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
-  const std::size_t atoms = graph.neighbours.size();
+  const std::size_t atoms = std::min(graph.inner, graph.neighbours.size());
   edges_.resize(3 * atoms);
   angles_.resize(3 * atoms);
   edge_gradient_.assign(3 * atoms, HalfEdge{0, 0, 0, 0});

@@ -23,7 +23,8 @@ class FixedBondRebo2 {
   //! can change.
   struct Graph {
     std::vector<std::array<AtomIndex, 3>> neighbours;
-    std::vector<std::array<std::uint32_t, 2>> bonds;  //!< the two half-edges 3 * atom + slot of each bond
+    std::vector<std::array<std::uint32_t, 2>> bonds;   //!< the two half-edges 3 * atom + slot of each bond
+    std::size_t inner = static_cast<std::size_t>(-1);  //!< atoms from here on are at no end of a listed bond
 
     //! Lists every bond between the atoms.
     void list_all_bonds();

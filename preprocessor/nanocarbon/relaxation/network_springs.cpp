@@ -20,7 +20,8 @@ double add_spring(const Vec3& a, const Vec3& b, double rest, double stiffness, V
 double add_springs(const FixedBondRebo2::Graph& graph, std::span<const Vec3> positions,
                    std::span<Vec3> gradient, const SpringOptions& options) {
   double energy = 0;
-  for (AtomIndex a = 0; a < graph.neighbours.size(); ++a) {
+  const std::size_t atoms = std::min(graph.inner, graph.neighbours.size());
+  for (AtomIndex a = 0; a < atoms; ++a) {
     const auto& neighbours = graph.neighbours[a];
     for (unsigned s = 0; s < 3; ++s) {
       const AtomIndex n = neighbours[s], m = neighbours[(s + 1) % 3];

@@ -82,6 +82,9 @@ void SwitchingPatch::list_bonds() {
   for (std::size_t k = 0; k < atoms_.size(); ++k)
     neighbours[k] = atoms_[k].exists() ? atoms_[k].neighbour : std::array{no_atom, no_atom, no_atom};
   rebo2_.graph.list_all_bonds();
+  // Atoms come in order of distance, and the last shell only lends its positions.
+  rebo2_.graph.inner = static_cast<std::size_t>(
+      std::find(distance_.begin(), distance_.end(), radius_ + kHalo) - distance_.begin());
   auto& bonds = rebo2_.graph.bonds;
   std::erase_if(bonds, [&](const std::array<std::uint32_t, 2>& bond) {
     const unsigned p = distance_[bond[0] / 3], q = distance_[bond[1] / 3];

@@ -80,7 +80,12 @@ Trial try_edit(const SwitchingState& state, NetworkEdit edit, const TrialTerms& 
     const double before = patch.energy();
     patch.apply(edit);
     patch.relax_springs(6);
-    const LbfgsResult relaxed = patch.relax({.max_iterations = 8, .force_tolerance = 0.02, .max_step = 0.2});
+    // What is still far above after a few steps never comes down.
+    const auto far_above = [&](int iteration, double energy, std::span<const Vec3>) {
+      return energy > before + allowance + (iteration < 3 ? 8 : iteration < 5 ? 4.5 : 2.8);
+    };
+    const LbfgsResult relaxed =
+        patch.relax({.max_iterations = 8, .force_tolerance = 0.02, .max_step = 0.2, .stop = far_above});
     if (!(relaxed.energy - before < allowance + kScreenMargin)) return trial;
   }
   SwitchingPatch& patch = workspace.far;
