@@ -88,7 +88,7 @@ TEST(ReadOff, BrokenFilesAreRefusedWithTheLine) {
 TEST(ReadOff, NumbersThatAreNoneAreRefused) {
   const auto with = [](const std::string& x) { return "OFF\n3 1 0\n" + x + " 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"; };
   for (const std::string x :
-       {"nan", "inf", "-inf", "NaN", "1e400", "1e101", "0x10", "1.0.0", "abc", "1-", "--1", "+-1"})
+       {"nan", "inf", "-inf", "NaN", "1e400", "1e51", "0x10", "1.0.0", "abc", "1-", "--1", "+-1"})
     EXPECT_THAT(refused(with(x)), HasSubstr("a.off:3: the x coordinate '" + x + "'"));
   EXPECT_THAT(refused(with("0,5")), HasSubstr("decimal points"));
   EXPECT_THAT(refused(with("1" + std::string(400, '0'))), HasSubstr("too large"));

@@ -138,14 +138,15 @@ TEST(Surface, RubbishThatChangesNothingIsDropped) {
     soup.close_face();
   };
   add({1, 1, 2});
+  add({4, 2, 4, 3});
   add({3, 3, 3});
   add({2, 3, 1});  // face 0 again, from another corner on
   const RepairedSurface repaired = repair_surface(soup);
   EXPECT_EQ(repaired.mesh.points, test::tetrahedron().points);
   EXPECT_EQ(repaired.mesh.triangles, test::tetrahedron().triangles);
   EXPECT_THAT(repaired.repairs,
-              ElementsAre("dropped faces that repeat a vertex: 2", "dropped second copies of faces: 1",
-                          "dropped vertices that no face uses: 1"));
+              ElementsAre("mended or dropped faces that repeat a vertex: 3",
+                          "dropped second copies of faces: 1", "dropped vertices that no face uses: 1"));
 }
 
 TEST(Surface, FacesWithoutAreaAreRemovedByFlips) {

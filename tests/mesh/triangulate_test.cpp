@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <random>
 
+#include "nanocarbon/mesh/drop_faces.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/self_intersections.h"
@@ -100,6 +102,55 @@ TEST(Triangulate, APolygonThatCrossesItselfStillGivesADisc) {
   EXPECT_EQ(mesh_topology(result.mesh).euler_characteristic, 1);
   const Triangulated flat = triangulate(one_face(std::vector<Vec3>(6, Vec3(1, 2, 3))));
   EXPECT_EQ(flat.mesh.triangles.size(), 4u);
+}
+
+TEST(Triangulate, AFaceMayGoAroundAHoleAlongABridge) {
+  std::vector<Vec3> points;  // a square of 4 x 4 with a square hole of 2 x 2
+  for (const double r : {2.0, 1.0})
+    points.insert(points.end(), {Vec3(-r, -r, 0), Vec3(r, -r, 0), Vec3(r, r, 0), Vec3(-r, r, 0)});
+  const PolygonSoup soup = test::soup(points, {{0, 1, 2, 3, 0, 4, 7, 6, 5, 4}});
+  const TriangleMesh mesh = triangulate(soup).mesh;
+  EXPECT_DOUBLE_EQ(area(mesh), 12.0);
+  EXPECT_THAT(self_intersections(mesh).pairs, testing::IsEmpty());
+  const MeshTopology topology = mesh_topology(mesh);
+  EXPECT_TRUE(topology.manifold() && topology.consistently_wound());
+  EXPECT_EQ(topology.euler_characteristic, 0);
+  EXPECT_EQ(topology.boundary_loops, 2u);
+}
+
+TEST(DropRepeatedVertices, SpikesAreTakenOutAndBridgesStay) {
+  PolygonSoup soup =
+      test::soup(std::vector<Vec3>(9, Vec3::Zero()), {{0, 1, 3, 1, 2},  // to 3 and back
+                                                      {3, 1, 2, 0, 1},  // the same from another corner on
+                                                      {1, 2, 0, 1, 3},
+                                                      {0, 1, 0, 1},                // nothing is left
+                                                      {0, 1, 4, 5, 4, 1, 2},       // two steps there and back
+                                                      {0, 1, 2, 0, 4, 3, 5, 4}});  // a bridge
+  EXPECT_EQ(drop_repeated_vertices(soup), 5u);
+  ASSERT_EQ(soup.faces(), 5u);
+  for (std::size_t face = 0; face < 4; ++face) {
+    EXPECT_EQ(soup.face(face).size(), 3u);
+    EXPECT_THAT(soup.face(face), testing::UnorderedElementsAre(0, 1, 2));
+  }
+  EXPECT_EQ(soup.face(4).size(), 8u);
+}
+
+TEST(Triangulate, NoTriangleRepeatsAVertexAndNoVertexIsLeftOver) {
+  // Cycles over few vertices, so that they pass through them again and again.
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 500; ++i) {
+    std::vector<VertexIndex> face(4 + random() % 6);
+    for (VertexIndex& v : face) v = static_cast<VertexIndex>(random() % 5);
+    const std::vector<Vec3> points = {Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(2, 2, 1), Vec3(0, 3, 0),
+                                      Vec3(1, 1, 0)};
+    const TriangleMesh mesh = triangulate(test::soup(points, {{0, 1, 2}, {2, 3, 4}, face})).mesh;
+    std::vector<bool> used(mesh.points.size(), false);
+    for (const Triangle& t : mesh.triangles) {
+      EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+      for (const VertexIndex v : t) used[v] = true;
+    }
+    EXPECT_THAT(used, testing::Each(true));
+  }
 }
 
 TEST(Triangulate, TrianglesKeepTheirPlacesAndPolygonsTheirs) {

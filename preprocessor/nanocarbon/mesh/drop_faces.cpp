@@ -15,28 +15,48 @@ bool repeats_a_vertex(std::span<const VertexIndex> face) {
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
-std::size_t drop_faces_repeating_a_vertex(PolygonSoup& soup) {
-  // Repeated corners are overwritten first, and faces shrink in place.
-  std::vector<std::uint32_t> size(soup.faces());
-  for (std::size_t face = 0; face < soup.faces(); ++face) {
-    VertexIndex* const begin = soup.corners.data() + soup.offsets[face];
-    VertexIndex* end = std::unique(begin, soup.corners.data() + soup.offsets[face + 1]);
-    while (end - begin > 1 && *begin == *(end - 1)) --end;
-    size[face] = static_cast<std::uint32_t>(end - begin);
+namespace {
+
+// Takes out of a cycle what repeats the corner before it or goes to a vertex and straight back.
+void take_out_repeats(std::span<const VertexIndex> face, std::vector<VertexIndex>& cycle) {
+  cycle.clear();
+  for (const VertexIndex v : face) {
+    if (!cycle.empty() && cycle.back() == v) continue;
+    if (cycle.size() >= 2 && cycle[cycle.size() - 2] == v)
+      cycle.pop_back();
+    else
+      cycle.push_back(v);
   }
+  auto begin = cycle.begin();
+  while (cycle.end() - begin >= 2) {  // the same where the cycle closes
+    if (*begin == cycle.back() || *begin == *(cycle.end() - 2))
+      cycle.pop_back();
+    else if (*(begin + 1) == cycle.back())
+      ++begin;
+    else
+      break;
+  }
+  cycle.erase(cycle.begin(), begin);
+}
+
+}  // namespace
+
+std::size_t drop_repeated_vertices(PolygonSoup& soup) {
   PolygonSoup kept;
   kept.corners.reserve(soup.corners.size());
   kept.offsets.reserve(soup.offsets.size());
+  std::size_t changed = 0;
+  std::vector<VertexIndex> cycle;
   for (std::size_t face = 0; face < soup.faces(); ++face) {
-    if (size[face] < 3) continue;
-    const auto corners = soup.face(face).first(size[face]);
-    kept.corners.insert(kept.corners.end(), corners.begin(), corners.end());
+    take_out_repeats(soup.face(face), cycle);
+    if (cycle.size() != soup.face(face).size()) ++changed;
+    if (cycle.size() < 3) continue;
+    kept.corners.insert(kept.corners.end(), cycle.begin(), cycle.end());
     kept.close_face();
   }
-  const std::size_t dropped = soup.faces() - kept.faces();
   soup.corners = std::move(kept.corners);
   soup.offsets = std::move(kept.offsets);
-  return dropped;
+  return changed;
 }
 
 std::size_t drop_copied_faces(PolygonSoup& soup) {

@@ -63,7 +63,7 @@ CoincidentPoints among_border_vertices(const PolygonSoup& soup, const Borders& b
 
 bool is_better(const PolygonSoup& joined, const Borders& before) {
   PolygonSoup faces = joined;
-  if (drop_faces_repeating_a_vertex(faces) > 0) return false;
+  if (drop_repeated_vertices(faces) > 0) return false;
   const Borders after = borders_of(joined);
   return after.edges < before.edges && after.manifold;
 }

@@ -29,7 +29,7 @@ class NearestPoint {
   explicit NearestPoint(const TriangleMesh& mesh);
 
   SurfacePoint nearest(const Vec3& query) const;
-  //! The same, faster where a triangle is known that is near.
+  //! The same, beginning with a triangle that is known to be near.
   SurfacePoint nearest(const Vec3& query, std::uint32_t triangle_nearby) const;
   //! For every point. Points that follow each other should be near each other.
   std::vector<SurfacePoint> nearest(std::span<const Vec3> queries) const;

@@ -39,7 +39,7 @@ RepairedSurface repair_surface(PolygonSoup soup) {
   result.repairs = soup.notes;
   Repairs& repairs = result.repairs;
   if (auto joined = join_seams(soup)) repairs.push_back(*joined);
-  tell(repairs, "dropped faces that repeat a vertex", drop_faces_repeating_a_vertex(soup));
+  tell(repairs, "mended or dropped faces that repeat a vertex", drop_repeated_vertices(soup));
   tell(repairs, "dropped second copies of faces", drop_copied_faces(soup));
   tell(repairs, "dropped vertices that no face uses", drop_unused_points(soup));
   if (!can_be_triangulated(soup)) {

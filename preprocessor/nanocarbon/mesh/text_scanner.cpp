@@ -10,7 +10,7 @@
 namespace nanocarbon {
 namespace {
 
-constexpr double largest_coordinate = 1e100;  // its cube, a volume, is still far from overflow
+constexpr double largest_coordinate = 1e50;  // its sixth power, a squared volume, does not overflow
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
@@ -30,7 +30,7 @@ void fail_at_line(const std::string& file, std::size_t line, const std::string& 
 
 const char* coordinate_fault(double value) {
   if (!std::isfinite(value)) return "is not finite";
-  if (std::abs(value) > largest_coordinate) return "is larger than 1e100";
+  if (std::abs(value) > largest_coordinate) return "is larger than 1e50";
   return nullptr;
 }
 

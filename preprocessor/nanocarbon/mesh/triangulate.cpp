@@ -1,11 +1,13 @@
 #include "nanocarbon/mesh/triangulate.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "nanocarbon/mesh/cut_ears.h"
 #include "nanocarbon/mesh/drop_faces.h"
 #include "nanocarbon/mesh/edge_table.h"
+#include "nanocarbon/mesh/join_points.h"
 
 namespace nanocarbon {
 namespace {
@@ -44,15 +46,7 @@ void add_fan_around_centre(std::span<const VertexIndex> face, TriangleMesh& mesh
     mesh.triangles.push_back({face[i], face[(i + 1) % face.size()], middle});
 }
 
-}  // namespace
-
-bool can_be_triangulated(const PolygonSoup& soup) {
-  for (std::size_t face = 0; face < soup.faces(); ++face)
-    if (soup.face(face).size() > most_corners || repeats_a_vertex(soup.face(face))) return false;
-  return soup.faces() > 0;
-}
-
-Triangulated triangulate(const PolygonSoup& soup) {
+Triangulated cut_all(const PolygonSoup& soup) {
   Triangulated result;
   result.mesh.points = soup.points;
   result.mesh.triangles.reserve(soup.corners.size() - 2 * soup.faces());
@@ -77,6 +71,27 @@ Triangulated triangulate(const PolygonSoup& soup) {
     }
     next = end;
   }
+  return result;
+}
+
+}  // namespace
+
+bool can_be_triangulated(const PolygonSoup& soup) {
+  for (std::size_t face = 0; face < soup.faces(); ++face)
+    if (soup.face(face).size() > most_corners) return false;
+  return soup.faces() > 0;
+}
+
+Triangulated triangulate(const PolygonSoup& soup) {
+  Triangulated result = cut_all(soup);
+  TriangleMesh& mesh = result.mesh;
+  if (std::erase_if(mesh.triangles, [](const Triangle& t) { return repeats_a_vertex(t); }) == 0)
+    return result;
+  PolygonSoup left = soup_of(mesh);
+  drop_unused_points(left);
+  for (std::size_t corner = 0; corner < left.corners.size(); ++corner)
+    mesh.triangles[corner / 3][corner % 3] = left.corners[corner];
+  mesh.points = std::move(left.points);
   return result;
 }
 

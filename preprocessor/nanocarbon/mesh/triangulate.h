@@ -9,7 +9,7 @@ namespace nanocarbon {
 //! Corners of a polygon above which it is not triangulated; the time may grow with their square.
 constexpr std::size_t most_corners = 10000;
 
-//! Whether there is a face, and none has more than most_corners corners or passes through a vertex twice.
+//! Whether there is a face, and none has more than most_corners corners.
 bool can_be_triangulated(const PolygonSoup& soup);
 
 //! What triangulate did.
