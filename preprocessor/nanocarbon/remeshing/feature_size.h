@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "nanocarbon/mesh/triangle_mesh.h"
+
+namespace nanocarbon {
+
+//! What of a shape a carbon surface cannot follow. Angstrom.
+enum class FeatureKind {
+  thin_part,   //!< a limb narrower than the narrowest tube
+  thin_plate,  //!< two sides of a solid part closer than two sheets may be
+  narrow_gap   //!< outer sides, or a piece within another, closer than two sheets may be
+};
+std::string_view name(FeatureKind kind);
+
+//! How small features may be. Angstrom.
+struct FeatureLimits {
+  //! Of a limb. Between the (4,4) tube's 2.71 and the (5,5) tube's 3.39; C60 has 3.55.
+  double tube_radius = 2.75;
+  double sheet_distance = 3.0;  //!< between two sheets, a little under graphite's 3.35
+  //! Square Angstrom. Regions smaller than this are tips and corners, which a molecule rounds: every spike
+  //! and every horn has one at any size.
+  double least_area = 150.0;
+};
+
+//! A connected region of the surface that is too small in one way.
+struct FeatureProblem {
+  FeatureKind kind;
+  Vec3 where;     //!< the place that decides, Angstrom
+  double size;    //!< radius of the limb, or distance of the sheets, there
+  double needed;  //!< what it would have to be
+  double area;    //!< of the region, square Angstrom
+};
+
+struct FeatureReport {
+  std::vector<FeatureProblem> problems;  //!< the worst first
+  std::size_t smallest_atoms = 0;  //!< how many would do; not above what was asked about where all is well
+  bool ok() const { return problems.empty(); }
+};
+
+//! \brief Finds where a surface is too small for the number of atoms it shall hold.
+//!
+//! From every place of the surface the nearest place that lies along it is sought on the normal,
+//! inwards and outwards, which is the local thickness and the local gap. Sharp edges, however sharp up to
+//! about 30 degrees, are no thin parts: their sides do not face opposite ways. Normals are smoothed over half
+//! a ring, so that roughness below that size does not matter. A thick place counts as a limb where normals
+//! all around its axis are met within its width.
+//!
+//! \param surface in Angstrom, scaled to hold the atoms
+//! \param atoms what `smallest_atoms` is scaled from
+FeatureReport check_features(const TriangleMesh& surface, std::size_t atoms,
+                             const FeatureLimits& limits = {});
+
+}  // namespace nanocarbon
