@@ -9,7 +9,8 @@ namespace nanocarbon {
 namespace {
 
 constexpr std::size_t most_pairs = 100'000;
-constexpr std::size_t most_tries_per_triangle = 1000;
+constexpr std::size_t most_tries_per_triangle = 64;  // a surface of even triangles needs about 10
+constexpr std::size_t tries_always_allowed = 20'000'000;
 
 }  // namespace
 
@@ -19,7 +20,7 @@ SelfIntersections self_intersections(const TriangleMesh& mesh) {
   std::vector<BoundingBox> boxes(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const VertexIndex v : mesh.triangles[t]) boxes[t].include(mesh.points[v]);
-  const std::size_t most_tries = most_tries_per_triangle * mesh.triangles.size();
+  const std::size_t most_tries = tries_always_allowed + most_tries_per_triangle * mesh.triangles.size();
   std::size_t tries = 0;
   for (const std::uint32_t first : tree.triangles) {
     const BoundingBox& box = boxes[first];
