@@ -98,6 +98,14 @@ TEST(PluginCommand, TakesWhatLmpTakes) {
   EXPECT_THAT(result.output, HasSubstr("\nseen\n"));
 }
 
+TEST(PluginCommand, WorksInPartitions) {
+  const ScriptResult result =
+      run_script("mpirun --allow-run-as-root --oversubscribe -n 2 " + program,
+                 load + square() + "fix watch all bond/topology 1\nrun 0\n", "", "-partition 1 1");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("Running on 2 partitions"));
+}
+
 TEST(FixBondTopologyErrors, IllegalArgumentsAreNamed) {
   expect_error(run_script(program, with_fix("")), "Illegal fix bond/topology command: the number of steps");
   expect_error(run_script(program, with_fix("0")), "must be above 0");
