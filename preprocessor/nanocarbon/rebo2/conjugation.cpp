@@ -11,7 +11,7 @@ namespace {
 
 //! How unsaturated a neighbour k of i is: F over its coordination without the bond to i.
 ValueSlope unsaturation(const HalfEdges& edges, const HalfEdge& ik, const Model& model) {
-  const double n_ki = edges.centre(ik.to).coordination() - ik.weight;
+  const double n_ki = edges.coordination(ik.to) - ik.weight;
   return cosine_switch(n_ki, model.parameters.conjugation_begin, model.parameters.conjugation_end);
 }
 

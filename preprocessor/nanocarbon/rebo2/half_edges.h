@@ -56,6 +56,9 @@ class HalfEdges {
            const Rebo2Parameters& parameters);
 
   bool has(std::uint32_t atom) const { return place_[atom] != absent; }
+  //! Bonds of an atom, counted by weight. An atom that was not added is one of the fast evaluation's: it has
+  //! three.
+  double coordination(std::uint32_t atom) const { return has(atom) ? centre(atom).coordination() : 3.0; }
   const Centre& centre(std::uint32_t atom) const { return centres_[place_[atom]]; }
   std::span<HalfEdge> of(const Centre& centre) { return {edges_.data() + centre.first, centre.count}; }
 

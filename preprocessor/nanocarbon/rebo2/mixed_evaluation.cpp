@@ -22,7 +22,7 @@ MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Ker
 
 void MixedEvaluation::make_blocks(const AtomsView& atoms, const NearPairs& near) {
   blocks_ = make_sp2_blocks(atoms, near, parameters_);
-  geometry_.resize(12 * sp2_block * blocks_.blocks);
+  geometry_.resize(12 * sp2_block * blocks_.slot_count);
   tensors_.assign(6 * (std::size_t{blocks_.zero_record()} + 1), 0.0);
   outside_.resize(blocks_.blocks);
   modifiers_.assign(blocks_.own_blocks, &plain_);
@@ -55,28 +55,25 @@ void MixedEvaluation::reset_modifiers() {
   }
 }
 
-void MixedEvaluation::find_general_atoms(const AtomsView& atoms, const NearPairs& near) {
+void MixedEvaluation::flag_general(std::uint32_t atom) {
+  if (general_flag_[atom]) return;
+  general_flag_[atom] = 1;
+  general_.push_back(atom);
+}
+
+void MixedEvaluation::find_crowded_atoms(const AtomsView& atoms, const NearPairs& near) {
   for (const std::uint32_t atom : general_) general_flag_[atom] = 0;
   general_.clear();
-  const auto flag = [&](std::uint32_t atom) {
-    if (general_flag_[atom]) return;
-    general_flag_[atom] = 1;
-    general_.push_back(atom);
-  };
-  for (const std::uint32_t atom : blocks_.others) flag(atom);
-  for (std::size_t block = 0; block < blocks_.blocks; ++block)
-    for (std::uint32_t bits = outside_[block] & blocks_.real[block]; bits != 0; bits &= bits - 1)
-      flag(blocks_.atoms[block * sp2_block + std::countr_zero(bits)]);
+  for (const std::uint32_t atom : blocks_.others) flag_general(atom);
   for (const auto& [i, j] : blocks_.watched) {
     const double* a = atoms.positions + 3 * std::size_t{i};
     const double* b = atoms.positions + 3 * std::size_t{j};
     const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
     if (x * x + y * y + z * z < watch_squared_) [[unlikely]] {
-      flag(i);
-      if (blocks_.place[j] != Sp2Blocks::nowhere) flag(j);
+      flag_general(i);
+      if (blocks_.place[j] != Sp2Blocks::nowhere) flag_general(j);
     }
   }
-  if (general_.empty() && blocks_.crowded.empty()) return;
   workspace_.edges.clear(atoms.all);
   for (const std::uint32_t atom : general_) workspace_.edges.add(atom, atoms, near, parameters_);
   for (const std::uint32_t atom : blocks_.crowded) workspace_.edges.add(atom, atoms, near, parameters_);
@@ -89,24 +86,44 @@ void MixedEvaluation::set_bond_constants(std::uint32_t at, int s, const Sp2BondC
   modifiers->pi[s][at % sp2_block] = constants.pi;
 }
 
-void MixedEvaluation::switch_off_general_atoms() {
+void MixedEvaluation::switch_off(std::uint32_t atom) {
+  const std::uint32_t at = blocks_.place[atom];
+  if (at == Sp2Blocks::nowhere) return;
+  if (Sp2Modifiers* modifiers = modifiers_of(at)) modifiers->on[at % sp2_block] = 0.0;
+}
+
+void MixedEvaluation::switch_off_bond(std::uint32_t fast, std::uint32_t general) {
+  const std::uint32_t at = blocks_.place[fast];
+  if (at == Sp2Blocks::nowhere) return;
+  for (int s = 0; s < 3; ++s)
+    if (blocks_.neighbour(at, s) == general) set_bond_constants(at, s, {0.0, 0.0});
+}
+
+void MixedEvaluation::switch_off_crowded_atoms() {
   for (const std::uint32_t g : general_) {
-    const std::uint32_t at = blocks_.place[g];
-    if (at != Sp2Blocks::nowhere)
-      if (Sp2Modifiers* modifiers = modifiers_of(at)) modifiers->on[at % sp2_block] = 0.0;
-    for (const HalfEdge& bond : workspace_.edges.of(workspace_.edges.centre(g))) {
-      if (!is_fast(bond.to)) continue;
-      const std::uint32_t other = blocks_.place[bond.to];
-      for (int s = 0; s < 3; ++s)
-        if (blocks_.neighbour(other, s) == g) set_bond_constants(other, s, {0.0, 0.0});
-    }
+    switch_off(g);
+    for (const HalfEdge& bond : workspace_.edges.of(workspace_.edges.centre(g))) switch_off_bond(bond.to, g);
   }
 }
 
-void MixedEvaluation::find_general_bonds(const AtomsView& atoms) {
+void MixedEvaluation::switch_off_outside(std::size_t begin_block, std::size_t end_block) {
+  for (std::size_t block = begin_block; block < end_block; ++block)
+    for (std::uint32_t bits = outside_[block] & blocks_.real[block]; bits != 0; bits &= bits - 1) {
+      const auto at = static_cast<std::uint32_t>(block * sp2_block + std::countr_zero(bits));
+      flag_general(blocks_.atoms[at]);
+      switch_off(blocks_.atoms[at]);
+      for (int s = 0; s < 3; ++s) switch_off_bond(blocks_.neighbour(at, s), blocks_.atoms[at]);
+    }
+}
+
+void MixedEvaluation::find_general_bonds(const AtomsView& atoms, const NearPairs& near) {
+  HalfEdges& edges = workspace_.edges;
+  for (const std::uint32_t g : general_) edges.add(g, atoms, near, parameters_);
   bonds_.clear();
+  for (const Bond& bond : fractional_bonds_)
+    if (!general_flag_[bond.first] && !general_flag_[bond.second]) bonds_.push_back(bond);
   for (const std::uint32_t g : general_)
-    for (const HalfEdge& bond : workspace_.edges.of(workspace_.edges.centre(g))) {
+    for (const HalfEdge& bond : edges.of(edges.centre(g))) {
       const std::uint32_t j = bond.to;
       if (g >= atoms.own && j >= atoms.own) continue;
       // Where both ends are general, both come by here.
@@ -117,6 +134,7 @@ void MixedEvaluation::find_general_bonds(const AtomsView& atoms) {
 void MixedEvaluation::modify_crowded_bonds(const AtomsView& atoms) {
   HalfEdges& edges = workspace_.edges;
   crowded_bonds_.clear();
+  fractional_bonds_.clear();
   const auto collect = [&](std::uint32_t k) {
     const Centre& centre = edges.centre(k);
     if (centre.element != Element::carbon || centre.count < 4) return;
@@ -144,16 +162,14 @@ void MixedEvaluation::modify_crowded_bonds(const AtomsView& atoms) {
       for (int s = 0; s < 3; ++s) {
         const std::uint32_t k = blocks_.neighbour(blocks_.place[end], s);
         if (k == other) continue;
-        ValueSlope f = {1.0, 0.0};
-        if (edges.has(k))
-          f = cosine_switch(edges.centre(k).coordination() - 1.0, parameters_.conjugation_begin,
-                            parameters_.conjugation_end);
+        const ValueSlope f = cosine_switch(edges.coordination(k) - 1.0, parameters_.conjugation_begin,
+                                           parameters_.conjugation_end);
         sum += f.value;
         whole &= f.slope == 0.0;
       }
       n_conj += sum * sum;
     }
-    if (!whole) bonds_.emplace_back(i, j);
+    if (!whole) fractional_bonds_.emplace_back(i, j);
     const Sp2BondConstants constants =
         whole ? sp2_bond_constants(coordination_tables(), n_conj) : Sp2BondConstants{0.0, 0.0};
     for (int s = 0; s < 3; ++s) {
@@ -170,8 +186,10 @@ EnergyParts MixedEvaluation::add_general_terms(const AtomsView& atoms, const Nea
     for (const std::uint32_t end : {i, j}) {
       edges.add(end, atoms, near, parameters_);
       const Centre centre = edges.centre(end);
+      // Next to these, only what is not three-coordinated matters.
       for (std::uint32_t a = 0; a < centre.count; ++a)
-        edges.add(edges.of(centre)[a].to, atoms, near, parameters_);
+        if (const std::uint32_t k = edges.of(centre)[a].to; !is_fast(k))
+          edges.add(k, atoms, near, parameters_);
     }
   const Model model = {parameters_, coordination_tables()};
   EnergyParts energy;
@@ -192,6 +210,24 @@ EnergyParts MixedEvaluation::add_general_terms(const AtomsView& atoms, const Nea
   return energy;
 }
 
+EnergyParts MixedEvaluation::run_fast_loops(const Sp2Data& data) {
+  const std::size_t own = blocks_.own_blocks;
+  kernel_->first(data, own, blocks_.blocks);
+  switch_off_outside(own, blocks_.blocks);
+  Sp2Energy sum = {};
+  std::size_t done = 0;
+  for (std::size_t begin = 0; begin < own; begin += Sp2Blocks::window) {
+    const std::size_t end = std::min(own, begin + Sp2Blocks::window);
+    kernel_->first(data, begin, end);
+    switch_off_outside(begin, end);
+    std::size_t ready = done;
+    while (ready < own && blocks_.needs[ready] <= end) ++ready;
+    kernel_->second(data, done, ready, &sum);
+    done = ready;
+  }
+  return {sum.repulsive, sum.sigma_pi, sum.conjugation, sum.dihedral};
+}
+
 EnergyParts MixedEvaluation::evaluate(const AtomsView& atoms, const NearPairs& near, double* forces,
                                       const AtomShares& shares, bool general_only) {
   if (general_only || !fast_applies_ || shares.virials) {
@@ -205,28 +241,20 @@ EnergyParts MixedEvaluation::evaluate(const AtomsView& atoms, const NearPairs& n
                         blocks_.atoms.data(),
                         blocks_.neighbours.data(),
                         blocks_.reverses.data(),
+                        blocks_.slots.data(),
                         geometry_.data(),
                         tensors_.data(),
                         outside_.data(),
                         modifiers_.data(),
                         forces,
                         shares.energies ? edge_energies_.data() : nullptr};
-  kernel_->first(data, 0, blocks_.blocks);
   reset_modifiers();
-  find_general_atoms(atoms, near);
-  const bool mixed = !general_.empty() || !blocks_.crowded.empty();
-  EnergyParts energy;
-  if (mixed) {
-    switch_off_general_atoms();
-    find_general_bonds(atoms);
-    modify_crowded_bonds(atoms);
-    energy = add_general_terms(atoms, near, forces, shares);
-  } else {
-    general_own_ = 0;
-  }
-  Sp2Energy fast = {};
-  kernel_->second(data, 0, blocks_.own_blocks, &fast);
-  energy += {fast.repulsive, fast.sigma_pi, fast.conjugation, fast.dihedral};
+  find_crowded_atoms(atoms, near);
+  switch_off_crowded_atoms();
+  modify_crowded_bonds(atoms);
+  EnergyParts energy = run_fast_loops(data);
+  find_general_bonds(atoms, near);
+  energy += add_general_terms(atoms, near, forces, shares);
   if (shares.energies)
     for (std::uint32_t at = 0; at < blocks_.own_blocks * sp2_block; ++at)
       for (int s = 0; s < 3; ++s)

@@ -25,8 +25,8 @@ class MixedEvaluation {
 
   //! \brief Arguments and result as of evaluate_general().
   //! \details Virials of single atoms are shared out term by term, so they come from the general terms alone.
-  EnergyParts evaluate(const AtomsView& atoms, const NearPairs& near, double* forces, const AtomShares& shares,
-                       bool general_only = false);
+  EnergyParts evaluate(const AtomsView& atoms, const NearPairs& near, double* forces,
+                       const AtomShares& shares, bool general_only = false);
 
   //! Own atoms that the last evaluation left to the general terms.
   std::size_t general_atoms() const { return general_own_; }
@@ -42,10 +42,18 @@ class MixedEvaluation {
   void make_blocks(const AtomsView& atoms, const NearPairs& near);
   Sp2Modifiers* modifiers_of(std::uint32_t place);
   void reset_modifiers();
-  void find_general_atoms(const AtomsView& atoms, const NearPairs& near);
-  void switch_off_general_atoms();
-  void find_general_bonds(const AtomsView& atoms);
+  void flag_general(std::uint32_t atom);
+  //! Atoms that are no candidates, and candidates with a fourth neighbour.
+  void find_crowded_atoms(const AtomsView& atoms, const NearPairs& near);
+  void switch_off(std::uint32_t atom);
+  void switch_off_bond(std::uint32_t fast, std::uint32_t general);
+  void switch_off_crowded_atoms();
+  //! Of what the first pass has found out about these blocks.
+  void switch_off_outside(std::size_t begin_block, std::size_t end_block);
+  //! Constants of bonds between fast atoms whose N_conj depends on an atom with four neighbours.
   void modify_crowded_bonds(const AtomsView& atoms);
+  EnergyParts run_fast_loops(const Sp2Data& data);
+  void find_general_bonds(const AtomsView& atoms, const NearPairs& near);
   void set_bond_constants(std::uint32_t at, int s, const Sp2BondConstants& constants);
   EnergyParts add_general_terms(const AtomsView& atoms, const NearPairs& near, double* forces,
                                 const AtomShares& shares);
@@ -74,6 +82,7 @@ class MixedEvaluation {
   std::vector<std::uint32_t> general_;  // flagged atoms, own ones and copies
   std::vector<Bond> bonds_;             // whose own terms are general, an own atom first
   std::vector<Bond> crowded_bonds_;
+  std::vector<Bond> fractional_bonds_;  // of these, those with a fractional coordination
   std::size_t general_own_ = 0;
   GeneralWorkspace workspace_;
 };

@@ -52,9 +52,7 @@ struct Rebo2::State {
   std::optional<Cell> listed_cell;
   std::size_t list_builds = 0;
 
-  std::vector<double> coordinates;
-  std::vector<double> forces;
-  std::vector<double> energies;
+  std::vector<double> coordinates;  // of own atoms and copies, where there are copies
   std::vector<Virial> virials;
 
   bool list_is_good(std::span<const Vec3> positions, std::span<const Element> own, const Cell* cell) const {
@@ -78,37 +76,38 @@ struct Rebo2::State {
   }
 
   //! Gives the copies' forces and shares to the atoms that they are copies of.
-  void fold_copies(const Rebo2Options& options);
-  void take_results(const Rebo2Options& options);
+  void fold_copies();
+  void take_virials(const double* positions);
+  void take_atom_virials();
 };
 
-void Rebo2::State::fold_copies(const Rebo2Options& options) {
+void Rebo2::State::fold_copies() {
   for (std::size_t c = 0; c < near.copies.size(); ++c) {
     const std::size_t from = near.own + c;
     const std::size_t to = near.copies[c].of;
-    for (int d = 0; d < 3; ++d) forces[3 * to + d] += forces[3 * from + d];
-    if (options.atom_energies) energies[to] += energies[from];
-    if (options.atom_virials)
+    result.forces[to] += result.forces[from];
+    if (!result.atom_energies.empty()) result.atom_energies[to] += result.atom_energies[from];
+    if (!virials.empty())
       for (int d = 0; d < 6; ++d) virials[to][d] += virials[from][d];
   }
+  result.forces.resize(near.own);
+  if (!result.atom_energies.empty()) result.atom_energies.resize(near.own);
 }
 
-void Rebo2::State::take_results(const Rebo2Options& options) {
+void Rebo2::State::take_virials(const double* positions) {
   result.virial.setZero();
-  for (std::size_t a = 0; a < coordinates.size(); a += 3)
-    result.virial += Eigen::Map<const Vec3>(&coordinates[a]) * Eigen::Map<const Vec3>(&forces[a]).transpose();
-  fold_copies(options);
-  result.forces.resize(near.own);
-  for (std::size_t i = 0; i < near.own; ++i) result.forces[i] = Eigen::Map<const Vec3>(&forces[3 * i]);
-  result.atom_energies.clear();
+  for (std::size_t a = 0; a < result.forces.size(); ++a)
+    result.virial += Eigen::Map<const Vec3>(positions + 3 * a) * result.forces[a].transpose();
+}
+
+void Rebo2::State::take_atom_virials() {
   result.atom_virials.clear();
-  if (options.atom_energies) result.atom_energies.assign(energies.begin(), energies.begin() + near.own);
-  if (options.atom_virials)
-    for (std::size_t i = 0; i < near.own; ++i) {
-      const Virial& v = virials[i];
-      Mat3& m = result.atom_virials.emplace_back();
-      m << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
-    }
+  if (virials.empty()) return;
+  for (std::size_t i = 0; i < near.own; ++i) {
+    const Virial& v = virials[i];
+    Mat3& m = result.atom_virials.emplace_back();
+    m << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
+  }
 }
 
 Rebo2::Rebo2(const Rebo2Parameters& parameters, std::string_view instructions)
@@ -121,22 +120,25 @@ const Rebo2Result& Rebo2::evaluate(std::span<const Vec3> positions, std::span<co
                                    const Cell* cell, const Rebo2Options& options) {
   State& s = *state_;
   if (!s.list_is_good(positions, elements, cell)) s.make_list(positions, elements, cell);
-  place_atoms(positions, cell, s.near, s.coordinates);
-  s.forces.assign(s.coordinates.size(), 0.0);
+  const std::size_t all = s.elements.size();
+  const double* coordinates = positions.empty() ? nullptr : positions.front().data();
+  if (!s.near.copies.empty()) {
+    place_atoms(positions, cell, s.near, s.coordinates);
+    coordinates = s.coordinates.data();
+  }
+  s.result.forces.assign(all, Vec3::Zero());
+  s.result.atom_energies.assign(options.atom_energies ? all : 0, 0.0);
+  s.virials.assign(options.atom_virials ? all : 0, Virial{});
   AtomShares shares;
-  if (options.atom_energies) {
-    s.energies.assign(s.elements.size(), 0.0);
-    shares.energies = s.energies.data();
-  }
-  if (options.atom_virials) {
-    s.virials.assign(s.elements.size(), Virial{});
-    shares.virials = s.virials.data();
-  }
-  const AtomsView atoms = {s.coordinates.data(), s.elements.data(), s.near.own,
-                           static_cast<std::uint32_t>(s.elements.size())};
-  s.result.parts = s.evaluation.evaluate(atoms, s.near.pairs, s.forces.data(), shares, options.general_only);
+  if (options.atom_energies) shares.energies = s.result.atom_energies.data();
+  if (options.atom_virials) shares.virials = s.virials.data();
+  const AtomsView atoms = {coordinates, s.elements.data(), s.near.own, static_cast<std::uint32_t>(all)};
+  double* forces = all > 0 ? s.result.forces.front().data() : nullptr;
+  s.result.parts = s.evaluation.evaluate(atoms, s.near.pairs, forces, shares, options.general_only);
   s.result.energy = s.result.parts.total();
-  s.take_results(options);
+  s.take_virials(coordinates);
+  s.fold_copies();
+  s.take_atom_virials();
   return s.result;
 }
 

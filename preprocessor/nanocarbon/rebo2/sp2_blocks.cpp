@@ -57,6 +57,7 @@ class Builder {
     add_blocks(own);
     blocks_.own_blocks = blocks_.blocks;
     add_blocks(shells[0]);
+    assign_slots();
     find_reverses();
     for (const auto* group : {&own, &shells[0]})
       for (const std::uint32_t i : *group) {
@@ -129,6 +130,30 @@ class Builder {
     }
   }
 
+  //! An own block's slot is free again when everything that its atoms are bonded to has been through both
+  //! passes.
+  void assign_slots() {
+    std::size_t reach = 0;
+    std::uint32_t most = 0;
+    for (std::size_t block = 0; block < blocks_.own_blocks; ++block) {
+      most = std::max(most, static_cast<std::uint32_t>(block + 1));
+      for (std::size_t n = 0; n < 3 * sp2_block; ++n) {
+        const std::uint32_t at = blocks_.place[blocks_.neighbours[block * 3 * sp2_block + n]];
+        if (at == Sp2Blocks::nowhere || at / sp2_block >= blocks_.own_blocks) continue;
+        const std::size_t other = at / sp2_block;
+        most = std::max(most, static_cast<std::uint32_t>(other + 1));
+        reach = std::max(reach, other > block ? other - block : block - other);
+      }
+      blocks_.needs.push_back(most);
+    }
+    const std::size_t turns =
+        std::max<std::size_t>(1, std::min(blocks_.own_blocks, 2 * (reach + Sp2Blocks::window)));
+    for (std::size_t block = 0; block < blocks_.blocks; ++block)
+      blocks_.slots.push_back(static_cast<std::uint32_t>(
+          block < blocks_.own_blocks ? block % turns : turns + block - blocks_.own_blocks));
+    blocks_.slot_count = turns + blocks_.blocks - blocks_.own_blocks;
+  }
+
   void find_reverses() {
     blocks_.reverses.assign(blocks_.neighbours.size(), blocks_.zero_record());
     for (std::uint32_t at = 0; at < blocks_.blocks * sp2_block; ++at)
@@ -136,9 +161,11 @@ class Builder {
         const std::uint32_t j = blocks_.neighbour(at, s);
         if (!candidate_[j]) continue;
         const auto back = std::find(bonds_[j].begin(), bonds_[j].end(), blocks_.atoms[at]);
-        if (back != bonds_[j].end())
-          blocks_.reverses[Sp2Blocks::index(at, s)] =
-              3 * blocks_.place[j] + static_cast<std::uint32_t>(back - bonds_[j].begin());
+        if (back == bonds_[j].end()) continue;
+        const std::uint32_t slot = blocks_.slots[blocks_.place[j] / sp2_block];
+        blocks_.reverses[Sp2Blocks::index(at, s)] =
+            static_cast<std::uint32_t>(3 * (slot * sp2_block + blocks_.place[j] % sp2_block)) +
+            static_cast<std::uint32_t>(back - bonds_[j].begin());
       }
   }
 

@@ -43,17 +43,20 @@ struct Sp2Modifiers {
   double pi[3][sp2_block];       //!< pi_RC of each bond
 };
 
-//! Arrays of one evaluation. Half-edge h = 3 * (position in the blocks) + s.
+//! \brief Arrays of one evaluation.
+//! \details Geometry and tensors of a block are only there from its first pass to its last use, in a slot
+//! that another block takes afterwards: small enough a set of slots stays in the cache. Record 3 * (slot *
+//! sp2_block + lane) + s is bond s of the atom in a lane.
 struct Sp2Data {
   const Sp2Constants* constants;
   const double* positions;          //!< x, y, z of every atom
   const std::uint32_t* atoms;       //!< [block][lane]
   const std::uint32_t* neighbours;  //!< [block][s][lane], atoms
-  const std::uint32_t*
-      reverses;            //!< [block][s][lane], the neighbour's half-edge back, or one that is all zero
-  double* geometry;        //!< [block][4 s + (x, y, z, r)][lane]
-  double* tensors;         //!< [half-edge][xx, yy, zz, xy, xz, yz]
-  std::uint32_t* outside;  //!< [block] a bit for each lane that is not in the fast case
+  const std::uint32_t* reverses;  //!< [block][s][lane], the neighbour's record of this bond, or one of zeros
+  const std::uint32_t* slots;     //!< [block]
+  double* geometry;               //!< [slot][4 s + (x, y, z, r)][lane]
+  double* tensors;                //!< [record][xx, yy, zz, xy, xz, yz]
+  std::uint32_t* outside;         //!< [block] a bit for each lane that is not in the fast case
   const Sp2Modifiers* const* modifiers;  //!< [block]
   double* forces;                        //!< x, y, z of every atom, added to
   double* edge_energies;                 //!< [block][s][lane], or nullptr

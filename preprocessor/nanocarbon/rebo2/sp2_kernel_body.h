@@ -127,7 +127,7 @@ void first(const Sp2Data& data, std::size_t begin_block, std::size_t end_block) 
   alignas(64) double made[18][sp2_block];
   for (std::size_t block = begin_block; block < end_block; ++block) {
     fetch_positions(data, block, positions);
-    double* geometry = data.geometry + block * 12 * sp2_block;
+    double* geometry = data.geometry + std::size_t{data.slots[block]} * 12 * sp2_block;
     std::uint32_t outside = 0;
     for (std::size_t l = 0; l < sp2_block; l += lanes) {
       Vector u[3];
@@ -165,7 +165,7 @@ void first(const Sp2Data& data, std::size_t begin_block, std::size_t end_block) 
       for (int m = 0; m < lanes; ++m) outside |= static_cast<std::uint32_t>(bad[m] & 1) << (l + m);
     }
     data.outside[block] = outside;
-    double* out = data.tensors + block * 18 * sp2_block;
+    double* out = data.tensors + std::size_t{data.slots[block]} * 18 * sp2_block;
     for (std::size_t l = 0; l < sp2_block; ++l)
       for (int k = 0; k < 18; ++k) out[18 * l + k] = made[k][l];
   }
@@ -201,7 +201,7 @@ void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block,
   alignas(64) double pulls[9][sp2_block];
   for (std::size_t block = begin_block; block < end_block; ++block) {
     fetch_tensors(data, block, tensors);
-    const double* geometry = data.geometry + block * 12 * sp2_block;
+    const double* geometry = data.geometry + std::size_t{data.slots[block]} * 12 * sp2_block;
     const Sp2Modifiers& modifiers = *data.modifiers[block];
     for (std::size_t l = 0; l < sp2_block; l += lanes) {
       Vector u[3];
