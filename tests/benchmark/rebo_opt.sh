@@ -1,0 +1,66 @@
+#!/bin/bash
+# Compares pair_style rebo/opt with rebo: rebo_opt.sh BUILD_FOLDER [ROUNDS]
+#
+# Runs rebo_opt.in for both styles in turn and prints medians of CPU time, microseconds an atom and step: LAMMPS's own
+# timings times the share of the processor that it had, so that other load on the machine matters little.
+# Cases: 10,000 atoms of graphene at 300 K, a molecule of 10,140 (a fullerene), 200,000 atoms of graphene, and where
+# there are two cores, the 200,000 on one rank and on two.
+set -euo pipefail
+build=$(cd "$1" && pwd)
+rounds=${2:-3}
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+lammps=$build/lammps-plugin/lmp-nanocarbon
+"$build/preprocessor/cli/nanocarbon" make fullerene 13 13 --atom-style atomic -q -o "$work/molecule.data"
+
+# run RANKS STYLE STEPS VARIABLES...: prints "pair step" in CPU microseconds an atom and step (wall time for ranks > 1)
+run() {
+  local ranks=$1 style=$2 steps=$3
+  shift 3
+  local command=("$lammps")
+  if [ "$ranks" -gt 1 ]; then command=(mpirun -np "$ranks" "$lammps"); fi
+  "${command[@]}" -log none -in "$here/rebo_opt.in" -var style "$style" -var steps "$steps" \
+    -var plugin "$build/lammps-plugin/nanocarbonplugin.so" "$@" | awk -v ranks="$ranks" '
+      /^Loop time of/ { loop = $4; steps = $9; atoms = $12 }
+      /CPU use with/ { cpu = $1 / 100; if (ranks > 1) cpu = 1 }
+      /^Pair / { pair = $5 }
+      END { unit = cpu * 1e6 / steps / atoms; printf "%.4f %.4f\n", pair * unit, loop * unit }'
+}
+
+median() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
+ratio() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.2f", a / b }'; }
+
+# compare NAME STEPS_REBO STEPS_OPT VARIABLES...
+compare() {
+  local name=$1 slow=$2 fast=$3
+  shift 3
+  : >"$work/rebo"; : >"$work/opt"
+  for ((round = 0; round < rounds; ++round)); do
+    run 1 rebo "$slow" "$@" >>"$work/rebo"
+    run 1 rebo/opt "$fast" "$@" >>"$work/opt"
+  done
+  local rebo_pair rebo_step opt_pair opt_step
+  rebo_pair=$(cut -d' ' -f1 "$work/rebo" | median); rebo_step=$(cut -d' ' -f2 "$work/rebo" | median)
+  opt_pair=$(cut -d' ' -f1 "$work/opt" | median); opt_step=$(cut -d' ' -f2 "$work/opt" | median)
+  printf '%-28s rebo: pair %s, step %s us   rebo/opt: pair %s, step %s us   ratios: pair %s, step %s\n' "$name" \
+    "$rebo_pair" "$rebo_step" "$opt_pair" "$opt_step" "$(ratio "$rebo_pair" "$opt_pair")" \
+    "$(ratio "$rebo_step" "$opt_step")"
+  last_step=$opt_step
+}
+
+echo "microseconds of CPU time an atom and step, medians of $rounds"
+compare "graphene 10k, 300 K" 50 500
+small=$last_step
+compare "fullerene 10k, 300 K" 50 500 -var from file -var data "$work/molecule.data" -var boundary "f f f"
+large=$(for ((round = 0; round < rounds; ++round)); do run 1 rebo/opt 25 -var nx 294 -var ny 170; done | cut -d' ' -f2 | median)
+echo "rebo/opt, graphene 200k: step $large us, $(ratio "$large" "$small") times that of 10k"
+if [ "$(nproc)" -ge 2 ]; then
+  for ((round = 0; round < rounds; ++round)); do
+    run 1 rebo/opt 50 -var nx 294 -var ny 170 | cut -d' ' -f2 >>"$work/one"
+    run 2 rebo/opt 50 -var nx 294 -var ny 170 | cut -d' ' -f2 >>"$work/two"
+  done
+  # Wall time of two ranks against CPU time of one: means nothing on a machine that is busy otherwise.
+  echo "rebo/opt, graphene 200k: two ranks are $(ratio "$(median <"$work/one")" "$(median <"$work/two")") times one (wall time)"
+fi
