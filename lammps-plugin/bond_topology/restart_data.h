@@ -16,7 +16,8 @@ struct RestartData {
 std::string to_bytes(const RestartData& data);
 
 //! \param bytes as to_bytes wrote them, on a machine with the same byte order (as LAMMPS demands of restart
-//! files) \return false where they are not from this version of the format
+//! files)
+//! \return false where they are not from this version of the format
 bool from_bytes(const char* bytes, RestartData& data);
 
 }  // namespace nanocarbon

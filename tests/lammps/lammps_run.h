@@ -24,7 +24,8 @@ class LammpsRun {
   void commands(const std::vector<std::string>& lines);
 
   //! units metal, the molecule from a data file (IDs are indices plus one), its periodic directions, masses,
-  //! and pair_style rebo or another. \param before commands that must come before the box, such as
+  //! and pair_style rebo or another.
+  //! \param before commands that must come before the box, such as
   //! atom_modify
   void read(const Molecule& molecule, const std::string& pair = "rebo",
             const std::vector<std::string>& before = {});

@@ -12,15 +12,18 @@ void bond_by_distance(Molecule& molecule);
 //! A periodic (n, n) tube bent into a ring: a torus molecule, genus 1, all hexagons.
 Molecule torus_molecule(int n, int periods);
 
-//! A ribbon of graphene, zigzag edges along it, closed on itself with half a turn. \param chains zigzag
-//! chains side by side, an even number \param hexagons along the band
+//! A ribbon of graphene, zigzag edges along it, closed on itself with half a turn.
+//! \param chains zigzag
+//! chains side by side, an even number
+//! \param hexagons along the band
 Molecule moebius_band(int chains, int hexagons);
 
 //! A flake of graphene with two holes, each where a ring of six and the six around it were.
 Molecule flake_with_two_holes();
 
 //! \brief Two copies of a flat flake, one above the other, joined by a bond between each pair of edge atoms:
-//! a closed surface whose genus is one less than the flake's boundary loops. \pre the flake lies in a plane
+//! a closed surface whose genus is one less than the flake's boundary loops.
+//! \pre the flake lies in a plane
 //! of constant z
 Molecule doubled(const Molecule& flake);
 
