@@ -23,7 +23,9 @@ trap 'rm -rf "$work"' EXIT
 
 # The source package, by an apt configuration of our own: nothing of the system's is changed.
 mkdir -p "$work/apt/lists/partial"
-echo "deb-src $archive ${suite_component%%/*} ${suite_component#*/}" >"$work/apt/sources.list"
+keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+signed=$([ -e "$keyring" ] && echo "[signed-by=$keyring] " || true)
+echo "deb-src $signed$archive ${suite_component%%/*} ${suite_component#*/}" >"$work/apt/sources.list"
 apt=(apt-get -qq -o Dir::Etc::SourceList="$work/apt/sources.list" -o Dir::Etc::SourceParts=/dev/null
   -o Dir::State::Lists="$work/apt/lists" -o Dir::Cache="$work/apt" -o APT::Sandbox::User=root)
 "${apt[@]}" update >&2
