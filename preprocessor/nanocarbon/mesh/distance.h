@@ -35,10 +35,11 @@ struct SurfaceDistance {
 };
 
 //! \brief From the vertices of a mesh (a triangulation, or atoms as the vertices of one) to a surface and
-//! back. \details Back: the surface's vertices and samples evenly by area, to the triangles of the mesh.
-//! Means of the way back are over the samples by area alone; the maximum is over the vertices too. \param
-//! mesh, surface both in the same unit, both with a triangle \param samples of the surface's area; 0 for as
-//! many as the larger of the two meshes has triangles
+//! back.
+//! \details Back: the surface's vertices and samples evenly by area, to the triangles of the mesh. Means of
+//! the way back are over the samples by area alone; the maximum is over the vertices too.
+//! \param mesh, surface both in the same unit, both with a triangle
+//! \param samples of the surface's area; 0 for as many as the larger of the two meshes has triangles
 SurfaceDistance distance_between(const TriangleMesh& mesh, const TriangleMesh& surface,
                                  std::size_t samples = 0);
 

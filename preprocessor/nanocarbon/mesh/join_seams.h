@@ -7,12 +7,14 @@
 
 namespace nanocarbon {
 
-//! \brief Joins coincident vertices along borders, where a mesh has been cut open or into single faces by its
-//! format. \details Vertices at exactly the same place are joined when both are on a border and what comes of
-//! it is manifold (or when no face shared a vertex before, so that the file says nothing of its own). In a
-//! format without vertex numbers, STL, vertices on a border also join when they are closer than 1e-6 of the
+//! \brief Joins coincident vertices along borders, where a mesh has been cut open or into single faces by
+//! its format.
+//! \details Vertices at exactly the same place are joined when both are on a border and what comes of it is
+//! manifold (or when no face shared a vertex before, so that the file says nothing of its own). In a format
+//! without vertex numbers, STL, vertices on a border also join when they are closer than 1e-6 of the
 //! bounding box's diagonal and a hundredth of the median border edge, if that closes borders and makes
-//! nothing non-manifold. \return what was done, or nothing
+//! nothing non-manifold.
+//! \return what was done, or nothing
 std::optional<std::string> join_seams(PolygonSoup& soup);
 
 }  // namespace nanocarbon

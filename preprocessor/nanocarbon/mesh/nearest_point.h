@@ -25,7 +25,8 @@ Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 //! \details Keeps what it needs of the mesh. Queries are const and may run in several threads at once.
 class NearestPoint {
  public:
-  //! O(n log n). \pre the mesh has a triangle
+  //! O(n log n).
+  //! \pre the mesh has a triangle
   explicit NearestPoint(const TriangleMesh& mesh);
 
   SurfacePoint nearest(const Vec3& query) const;

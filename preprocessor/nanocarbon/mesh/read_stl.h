@@ -8,8 +8,10 @@
 namespace nanocarbon {
 
 //! \brief Reads an STL file; corners at exactly the same coordinates become one vertex, since STL has no
-//! vertices. \details Normals and attributes are passed over (they may even be NaN). Several solids in a text
-//! file are one mesh. \throw UserError (malformed)
+//! vertices.
+//! \details Normals and attributes are passed over (they may even be NaN). Several solids in a text file
+//! are one mesh.
+//! \throw UserError (malformed)
 PolygonSoup read_stl(std::string_view contents, const std::string& file);
 
 //! Whether the contents are a text STL: they begin with "solid", and what follows is no binary STL whose

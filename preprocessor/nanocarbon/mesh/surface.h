@@ -18,9 +18,10 @@ struct RepairedSurface {
 };
 
 //! \brief Triangulates polygons, joins coincident vertices along seams, drops unused vertices, faces that
-//! repeat a vertex and second copies of faces, winds faces alike, turns closed pieces that are inside-out and
-//! flips edges of faces without area. \details Never throws: what cannot be mended is in the diagnosis.
-//! Points and order are kept where nothing is dropped.
+//! repeat a vertex and second copies of faces, winds faces alike, turns closed pieces that are inside-out
+//! and flips edges of faces without area.
+//! \details Never throws: what cannot be mended is in the diagnosis. Points and order are kept where
+//! nothing is dropped.
 RepairedSurface repair_surface(PolygonSoup soup);
 
 //! A surface that is fit for use: a 2-manifold, closed or with boundary, of one or more pieces that do not

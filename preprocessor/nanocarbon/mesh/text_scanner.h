@@ -25,7 +25,8 @@ class TextScanner {
   //! \param file name for messages
   TextScanner(std::string_view text, std::string file, Syntax syntax);
 
-  //! Goes to the next line that is not blank. \return false at the end of the text
+  //! Goes to the next line that is not blank.
+  //! \return false at the end of the text
   bool next_line();
 
   //! The next word of the line; empty at its end.
@@ -40,9 +41,11 @@ class TextScanner {
   //! \throw UserError (malformed) when there is none, or it is no number, not finite, or beyond what can be
   //! squared
   double coordinate(const char* what);
-  //! The next word as an integer from 0 on. \throw UserError (malformed)
+  //! The next word as an integer from 0 on.
+  //! \throw UserError (malformed)
   std::uint64_t count(const char* what);
-  //! The next word as an integer. \throw UserError (malformed)
+  //! The next word as an integer.
+  //! \throw UserError (malformed)
   std::int64_t integer(const char* what);
 
   std::size_t line_number() const { return line_number_; }
@@ -66,8 +69,9 @@ class TextScanner {
   std::string_view line_;
 };
 
-//! \brief A coordinate that has been read as text or binary: finite, and small enough that areas and volumes
-//! are finite. \return what is wrong with it, or nullptr
+//! \brief A coordinate that has been read as text or binary: finite, and small enough that areas and
+//! volumes are finite.
+//! \return what is wrong with it, or nullptr
 const char* coordinate_fault(double value);
 
 //! Text for a message: shortened, with unprintable bytes replaced.

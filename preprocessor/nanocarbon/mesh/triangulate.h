@@ -20,10 +20,12 @@ struct Triangulated {
 };
 
 //! \brief Cuts every polygon into triangles with the same winding; triangles stay as they are, in order.
-//! \details Ears are cut off the polygon's projection along its Newell normal, the best shaped first, so that
-//! concave polygons come out right. Where a new diagonal would be an edge that the mesh already has, the
-//! polygon is cut into a fan around a new vertex at its centre instead. \pre no face repeats a vertex or has
-//! more than most_corners corners
+//! \details Ears are cut off the polygon's projection along its Newell normal, the best shaped first, so
+//! that concave polygons come out right. Where a new diagonal would be an edge that the mesh already has,
+//! the polygon is cut into a fan around a new vertex at its centre instead.
+//! A face may pass through a vertex twice, as one does that goes around a hole and back along a bridge; what
+//! collapses to a line there is left out.
+//! \pre can_be_triangulated(soup)
 Triangulated triangulate(const PolygonSoup& soup);
 
 }  // namespace nanocarbon

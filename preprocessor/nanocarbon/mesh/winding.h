@@ -20,8 +20,9 @@ std::size_t wind_alike(TriangleMesh& mesh, const MeshTopology& topology, const E
 
 //! \brief Turns closed pieces that are inside-out: outermost pieces with a negative volume, each with all
 //! that it encloses. A piece within another keeps its winding relative to it: opposite, as the wall of a
-//! cavity, or alike, as a shell of its own. \return how many pieces were turned \pre consistently wound and
-//! manifold
+//! cavity, or alike, as a shell of its own.
+//! \return how many pieces were turned
+//! \pre consistently wound and manifold
 std::size_t turn_outside(TriangleMesh& mesh, const MeshTopology& topology);
 
 }  // namespace nanocarbon
