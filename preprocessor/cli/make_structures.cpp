@@ -8,6 +8,7 @@
 #include "make.h"
 #include "make_output.h"
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/molecule/hydrogens.h"
 #include "nanocarbon/structures/diamond.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
@@ -40,7 +41,8 @@ void add_make_graphene(CLI::App& make) {
   struct Command {
     std::vector<double> size = {50.0, 50.0};
     std::vector<int> cells;
-    double flake = 0.0;
+    double flake = 0.0;  // radius, Angstrom
+    bool hydrogen = false;
     MoleculeOutput output;
   };
   CLI::App& sub = *make.add_subcommand("graphene", "A sheet of graphene, periodic, or a flake of it");
@@ -58,15 +60,16 @@ void add_make_graphene(CLI::App& make) {
   shape->add_option("--flake", c->flake, "A flake in free space of this radius, Angstrom, instead")
       ->check(CLI::Range(1.5, 5000.0));
   shape->require_option(0, 1);
+  sub.add_flag("--hydrogen", c->hydrogen, "Saturate the rim of a flake with hydrogen");
   add_molecule_output(sub, c->output);
   sub.footer(R"(Examples:
   nanocarbon make graphene --size 100 100 -o sheet.data
-  nanocarbon make graphene --flake 20 -o flake.xyz)");
+  nanocarbon make graphene --flake 20 --hydrogen -o flake.xyz)");
   sub.callback([c, &sub] {
     const Molecule molecule = c->flake > 0.0      ? graphene_flake(c->flake)
                               : !c->cells.empty() ? graphene(c->cells[0], c->cells[1])
                                                   : graphene_sheet(c->size[0], c->size[1]);
-    write_molecule(c->output, molecule, sub);
+    write_molecule(c->output, c->hydrogen ? saturated_with_hydrogen(molecule) : molecule, sub);
   });
 }
 

@@ -6,6 +6,7 @@
 #include "make.h"
 #include "make_output.h"
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/molecule/hydrogens.h"
 #include "nanocarbon/structures/capped_tube.h"
 #include "nanocarbon/structures/tube.h"
 
@@ -15,7 +16,7 @@ namespace {
 struct TubeCommand {
   int n = 0, m = 0;
   double length = 50.0;  // Angstrom
-  std::string ends = "open";
+  std::string ends = "hydrogen";
   bool periodic = false;
   MoleculeOutput output;
 };
@@ -32,7 +33,9 @@ Molecule make_tube(const TubeCommand& c) {
   if (c.periodic && c.ends == "capped")
     throw UserError(Failure::usage, "--periodic and --ends capped exclude each other; leave one out");
   if (c.periodic || c.ends == "periodic") return periodic_tube_of_length(c.n, c.m, c.length);
-  return c.ends == "capped" ? capped_tube(c.n, c.m, c.length) : open_tube(c.n, c.m, c.length);
+  if (c.ends == "capped") return capped_tube(c.n, c.m, c.length);
+  const Molecule tube = open_tube(c.n, c.m, c.length);
+  return c.ends == "open" ? tube : saturated_with_hydrogen(tube);
 }
 
 }  // namespace
@@ -52,8 +55,9 @@ void add_make_tube(CLI::App& make) {
       ->check(CLI::Range(0.1, 1e7))
       ->capture_default_str();
   sub.add_option("--ends", c->ends,
-                 "open (cut straight), periodic, or capped (6 pentagons at each end, for n + m of 6 or more)")
-      ->check(CLI::IsMember({"open", "periodic", "capped"}))
+                 "hydrogen (cut straight and saturated), open (left with dangling bonds), periodic, or "
+                 "capped (6 pentagons at each end, for n + m of 6 or more)")
+      ->check(CLI::IsMember({"hydrogen", "open", "periodic", "capped"}))
       ->capture_default_str();
   sub.add_flag("--periodic", c->periodic, "The same as --ends periodic");
   add_molecule_output(sub, c->output);
@@ -63,7 +67,7 @@ A cap is the roundest one with a pentagon in its middle, without neighbouring pe
 half a C60 for (5, 5) and (9, 0), half a C240 for (10, 10).
 Examples:
   nanocarbon make tube 10 10 --length 100 --periodic -o tube.data
-  nanocarbon make tube 7 3 --length 60 -o open.data
+  nanocarbon make tube 7 3 --length 60 --ends open -o open.data
   nanocarbon make tube 9 0 --length 30 --ends capped -o capped.xyz)");
   sub.callback([c, &sub] { write_molecule(c->output, make_tube(*c), sub); });
 }

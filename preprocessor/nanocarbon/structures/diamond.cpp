@@ -1,7 +1,7 @@
 #include "nanocarbon/structures/diamond.h"
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/structures/bonds_by_distance.h"
+#include "nanocarbon/structures/close_bonds.h"
 
 namespace nanocarbon {
 
@@ -20,7 +20,7 @@ Molecule diamond(int cells_x, int cells_y, int cells_z) {
             crystal.positions.push_back(diamond_lattice_constant *
                                         (Vec3(i, j, k) + site + Vec3::Constant(shift)));
   crystal.elements.assign(crystal.size(), Element::carbon);
-  crystal.bonds = bonds_by_distance(crystal, 1.8);
+  add_bonds(crystal);
   return crystal;
 }
 

@@ -7,9 +7,8 @@
 #include <cmath>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/structures/bonds_by_distance.h"
+#include "nanocarbon/structures/close_bonds.h"
 #include "nanocarbon/structures/honeycomb.h"
-#include "nanocarbon/structures/trace_rings.h"
 
 namespace nanocarbon {
 namespace {
@@ -20,11 +19,6 @@ constexpr double cell_y = 3.0 * graphene_bond;
 std::array<Vec3, 4> rectangular_cell() {
   return {Vec3(0.0, 0.0, 0.0), Vec3(0.5 * cell_x, 0.5 * graphene_bond, 0.0),
           Vec3(0.5 * cell_x, 1.5 * graphene_bond, 0.0), Vec3(0.0, 2.0 * graphene_bond, 0.0)};
-}
-
-void add_rings(Molecule& sheet) {
-  const std::vector<Vec3> up(sheet.size(), Vec3::UnitZ());
-  sheet.rings = trace_rings(sheet, up, 6);
 }
 
 }  // namespace
@@ -41,8 +35,8 @@ Molecule graphene(int cells_x, int cells_y) {
       for (const Vec3& atom : rectangular_cell())
         sheet.positions.push_back(atom + Vec3(i * cell_x, j * cell_y, 0.0));
   sheet.elements.assign(sheet.size(), Element::carbon);
-  sheet.bonds = bonds_by_distance(sheet, 1.2 * graphene_bond);
-  add_rings(sheet);
+  add_bonds(sheet);
+  add_rings(sheet, 6);
   return sheet;
 }
 
@@ -70,9 +64,9 @@ Molecule graphene_flake(double radius) {
         if (position.norm() <= radius) flake.positions.push_back(position);
       }
   flake.elements.assign(flake.size(), Element::carbon);
-  flake.bonds = bonds_by_distance(flake, 1.2 * graphene_bond);
+  add_bonds(flake);
   flake = without_dangling_atoms(flake);
-  add_rings(flake);
+  add_rings(flake, 6);
   return flake;
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "nanocarbon/structures/bonds_by_distance.h"
+#include "nanocarbon/structures/close_bonds.h"
 
 namespace nanocarbon {
 namespace {
@@ -18,7 +18,7 @@ class Builder {
   //! In all these molecules bonds are shorter than 1.6 and everything else is further apart than 1.7
   //! Angstrom.
   Molecule bonded() {
-    molecule_.bonds = bonds_by_distance(molecule_, 1.65);
+    add_bonds(molecule_);
     return std::move(molecule_);
   }
 

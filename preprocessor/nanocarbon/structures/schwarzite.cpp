@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/structures/bonds_by_distance.h"
-#include "nanocarbon/structures/sheet_normals.h"
-#include "nanocarbon/structures/trace_rings.h"
+#include "nanocarbon/structures/close_bonds.h"
 
 namespace nanocarbon {
 namespace {
@@ -58,8 +56,8 @@ Molecule crystal(const std::vector<Vec3>& sites, double edge, const std::array<i
       for (int i = 0; i < cells[0]; ++i)
         for (const Vec3& site : sites) molecule.positions.push_back(edge * (Vec3(i, j, k) + site));
   molecule.elements.assign(molecule.size(), Element::carbon);
-  molecule.bonds = bonds_by_distance(molecule, 1.7);
-  molecule.rings = trace_rings(molecule, sheet_normals(molecule), 8);
+  add_bonds(molecule);
+  add_rings(molecule, 8);
   return molecule;
 }
 

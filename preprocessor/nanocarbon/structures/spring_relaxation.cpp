@@ -60,8 +60,8 @@ SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions&
   param.max_iterations = options.iterations;
   param.epsilon = 0.0;
   param.epsilon_rel = 1e-7;
-  param.past = 1;
-  param.delta = 1e-9;
+  param.past = 3;
+  param.delta = 1e-5;
   LBFGSpp::LBFGSSolver<double> solver(param);
   double energy = 0.0;
   int iterations = 0;

@@ -8,9 +8,8 @@
 #include <numeric>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/structures/bonds_by_distance.h"
+#include "nanocarbon/structures/close_bonds.h"
 #include "nanocarbon/structures/honeycomb.h"
-#include "nanocarbon/structures/trace_rings.h"
 
 namespace nanocarbon {
 namespace {
@@ -93,12 +92,9 @@ void check_indices(int n, int m) {
 
 void add_bonds_and_rings(Molecule& tube) {
   tube.elements.assign(tube.size(), Element::carbon);
-  // Across a (3, 0) tube, the thinnest, atoms that are not bonded are 2.03 apart.
-  tube.bonds = bonds_by_distance(tube, 1.7);
+  add_bonds(tube);
   if (!tube.cell) tube = without_dangling_atoms(tube);
-  std::vector<Vec3> outward = tube.positions;
-  for (Vec3& normal : outward) normal.z() = 0.0;
-  tube.rings = trace_rings(tube, outward, 6);
+  add_rings(tube, 6);
 }
 
 }  // namespace

@@ -1,22 +1,21 @@
-#include "nanocarbon/structures/bonds_by_distance.h"
+#include "nanocarbon/structures/close_bonds.h"
 
-#include <algorithm>
-
-#include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/molecule/bond_graph.h"
+#include "nanocarbon/molecule/surface_topology.h"
 
 namespace nanocarbon {
 
-std::vector<Bond> bonds_by_distance(const Molecule& molecule, double longest) {
-  const Cell* cell = molecule.cell ? &*molecule.cell : nullptr;
-  const NeighbourList list = neighbours_within(molecule.positions, cell, longest);
-  std::vector<Bond> bonds;
-  bonds.reserve(list.neighbours.size() / 2);
-  for (std::size_t i = 0; i < list.atoms(); ++i)
-    for (const Neighbour& n : list.of(i)) {
-      const bool own_image = n.atom == i && n.image > std::array<std::int32_t, 3>{0, 0, 0};
-      if (n.atom > i || own_image) bonds.push_back({static_cast<AtomIndex>(i), n.atom, n.image});
-    }
-  return bonds;  // rows are sorted by atom, then image
+void add_bonds(Molecule& molecule) {
+  molecule.bonds =
+      bonds_within(molecule.positions, molecule.elements, molecule.cell ? &*molecule.cell : nullptr);
+}
+
+void add_rings(Molecule& molecule, int largest) {
+  SurfaceTopology surface = surface_topology(embedded_graph(molecule), {largest});
+  if (surface.problem)
+    throw UserError(Failure::failed, "the structure is no surface: " + surface.problem->reason);
+  molecule.rings = std::move(surface.rings);
 }
 
 Molecule without_dangling_atoms(const Molecule& molecule) {
