@@ -1,0 +1,150 @@
+// `nanocarbon make` as a user runs it: what it writes, what it refuses, and that ASE reads it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/surface.h"
+#include "nanocarbon/molecule/lammps_data.h"
+#include "nanocarbon/molecule/xyz.h"
+#include "support/run_program.h"
+#include "support/temporary_folder.h"
+
+namespace nanocarbon {
+namespace {
+
+using test::ProgramOutcome;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+ProgramOutcome make(const std::string& arguments) {
+  return test::run_command(NANOCARBON_PROGRAM " make " + arguments);
+}
+
+struct Case {
+  std::string command;
+  std::size_t atoms, bonds;
+};
+// Counts from the formulas of each structure, not from a run.
+const Case cases[] = {
+    {"graphene --cells 3 5", 60, 90},
+    {"graphene --flake 4 --hydrogen", 36, 42},  // coronene, C24H12
+    {"tube 5 5 --length 9.9 --periodic", 80, 120},
+    {"tube 10 10 --length 2.5 --ends periodic", 40, 60},
+    {"tube 7 3 --length 1 --periodic", 316, 474},
+    {"tube 5 5 --length 1 --ends capped", 60, 90},
+    {"fullerene 1 1", 60, 90},
+    {"fullerene 2 1", 140, 210},
+    {"onion --shells 2", 300, 450},
+    {"diamond --cells 2", 64, 128},
+    {"schwarzite p688 --cells 1 1 2", 96, 144},
+    {"schwarzite d688 --cells 2", 192, 288},
+};
+
+TEST(Make, StructuresHaveTheirAtomsAndBonds) {
+  const test::TemporaryFolder folder;
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.command);
+    const ProgramOutcome data = make(c.command + " -o " + (folder / "a.data").string());
+    ASSERT_EQ(data.exit_code, 0) << data.output;
+    EXPECT_THAT(data.output,
+                HasSubstr(std::to_string(c.atoms) + " atoms, " + std::to_string(c.bonds) + " bonds"));
+    const Molecule molecule = read_lammps_data(folder / "a.data").molecule;
+    EXPECT_EQ(molecule.size(), c.atoms);
+    EXPECT_EQ(molecule.bonds.size(), c.bonds);
+    ASSERT_EQ(make(c.command + " --quiet -o " + (folder / "a.xyz").string()).output, "");
+    EXPECT_EQ(read_xyz(folder / "a.xyz").size(), c.atoms);
+  }
+}
+
+TEST(Make, FilesSayHowTheyWereMade) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder / "tube.data").string();
+  ASSERT_EQ(make("tube 8 2 --ends open --length 20 -o " + path).exit_code, 0);
+  EXPECT_THAT(test::contents_of(path), StartsWith("# nanocarbon make tube 8 2"));
+  EXPECT_THAT(test::contents_of(path).substr(0, 200), HasSubstr("--ends open"));
+}
+
+TEST(Make, AseReadsTheFiles) {
+  if (std::string(NANOCARBON_ASE_PYTHON).empty())
+    GTEST_SKIP() << "no Python with ASE was found (python3-ase)";
+  const test::TemporaryFolder folder;
+  const std::string read = std::string(NANOCARBON_ASE_PYTHON) + " " NANOCARBON_ASE_SCRIPT " ";
+  for (const std::string what :
+       {"tube 7 3 --length 20 --periodic", "tube 10 10 --length 20", "fullerene 2 2", "graphene"}) {
+    SCOPED_TRACE(what);
+    const std::string data = (folder / "a.data").string(), xyz = (folder / "a.xyz").string();
+    ASSERT_EQ(make(what + " -o " + data).exit_code, 0);
+    ASSERT_EQ(make(what + " -o " + xyz).exit_code, 0);
+    const Molecule molecule = read_lammps_data(data).molecule;
+    const std::string atoms = std::to_string(molecule.size()) + "\n";
+    EXPECT_THAT(test::run_command(read + "data " + data + " molecular").output, StartsWith(atoms));
+    EXPECT_THAT(test::run_command(read + "xyz " + xyz).output, StartsWith(atoms));
+  }
+}
+
+TEST(Make, ShapesAreSurfacesOfTheirGenus) {
+  const test::TemporaryFolder folder;
+  struct Shape {
+    std::string command;
+    std::int64_t genus;
+    std::size_t borders;
+  };
+  for (const Shape& shape : {Shape{"sphere --subdivisions 5", 0, 0},
+                             {"torus", 1, 0},
+                             {"genus-two --edge 0.3", 2, 0},
+                             {"junction --kind x", 0, 4},
+                             {"junction --kind t --closed", 0, 0},
+                             {"helix --open", 0, 2},
+                             {"hemisphere", 0, 1}}) {
+    SCOPED_TRACE(shape.command);
+    for (const std::string extension : {".off", ".ply"}) {
+      const std::string path = (folder / ("shape" + extension)).string();
+      const ProgramOutcome outcome = make("mesh " + shape.command + " -o " + path);
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+      const MeshTopology topology = mesh_topology(load_surface(path).mesh);
+      EXPECT_EQ(topology.genus, shape.genus);
+      EXPECT_EQ(topology.boundary_loops, shape.borders);
+    }
+  }
+}
+
+TEST(Make, RefusalsHaveAnExitCodeAMessageAndNoFile) {
+  const test::TemporaryFolder folder;
+  const auto refused = [&](const std::string& arguments, const std::string& name) {
+    const ProgramOutcome outcome = make(arguments + " -o " + (folder / name).string());
+    EXPECT_FALSE(outcome.output.empty()) << arguments;
+    EXPECT_FALSE(std::filesystem::exists(folder / name)) << arguments;
+    return outcome.exit_code;
+  };
+  EXPECT_EQ(refused("", "a.data"), 2);
+  EXPECT_EQ(refused("tube 5", "a.data"), 2);
+  EXPECT_EQ(refused("tube -1 5", "a.data"), 2);
+  EXPECT_EQ(refused("tube 2 1", "a.data"), 2);
+  EXPECT_EQ(refused("tube 3 0 --ends capped", "a.data"), 2);
+  EXPECT_EQ(refused("tube 5 5 --ends capped --periodic", "a.data"), 2);
+  EXPECT_EQ(refused("fullerene 0 0", "a.data"), 2);
+  EXPECT_EQ(refused("fullerene 90000 90000", "a.data"), 2);
+  EXPECT_EQ(refused("diamond --cells 1 2", "a.data"), 2);
+  EXPECT_EQ(refused("fullerene 1 1", "a.pdb"), 2);
+  EXPECT_EQ(refused("mesh torus", "a.data"), 2);
+  EXPECT_EQ(refused("mesh torus --major 1 --minor 2", "a.off"), 2);
+  EXPECT_EQ(refused("mesh gyroid-piece --edge 1e-9", "a.off"), 2);
+  EXPECT_EQ(refused("fullerene 1 1", "none/a.data"), 7);
+}
+
+TEST(Make, SameCommandGivesTheSameBytes) {
+  const test::TemporaryFolder folder;
+  for (const std::string what : {"fullerene 3 2", "tube 8 3 --ends capped", "mesh genus-two"}) {
+    const std::string path = (folder / (what.starts_with("mesh") ? "a.off" : "a.data")).string();
+    ASSERT_EQ(make(what + " -o " + path).exit_code, 0);
+    const std::string first = test::contents_of(path);
+    ASSERT_EQ(make(what + " -o " + path).exit_code, 0);
+    EXPECT_EQ(test::contents_of(path), first);
+  }
+}
+
+}  // namespace
+}  // namespace nanocarbon
