@@ -9,23 +9,23 @@ here=$(cd "$(dirname "$0")" && pwd)
 folder=${1:-out/structures}
 mkdir -p "$folder"
 
-compare() {  # compare NAME KNOWN BOUNDARY RELAX MAKE-ARGUMENTS...
-  local name=$1 known=$2 boundary=$3 relax=$4 energy
+compare() {  # compare NAME KNOWN BOUNDARY CELL MAKE-ARGUMENTS...
+  local name=$1 known=$2 boundary=$3 cell=$4 energy
   shift 4
   "${NANOCARBON:-nanocarbon}" make "$@" --quiet -o "$folder/$name.data"
-  "${LAMMPS:-lmp}" -in "$here/relax.in" -var data "$folder/$name.data" -var boundary "$boundary" -var relax "$relax" \
+  "${LAMMPS:-lmp}" -in "$here/relax.in" -var data "$folder/$name.data" -var boundary "$boundary" -var cell "$cell" \
     -log "$folder/$name.log" -screen none
   energy=$(sed -n 's/^energy per atom: \(.*\) eV$/\1/p' "$folder/$name.log")
   printf '%-12s %12s %12s\n' "$name" "$energy" "$known"
 }
 
 printf '%-12s %12s %12s   eV for each atom\n' structure here known
-compare graphene -7.394997 "p p f" "x 0.0 y 0.0" graphene --cells 6 4
-compare tube-10-10 -7.355858 "f f p" "z 0.0" tube 10 10 --length 15 --periodic
-compare tube-5-5 -7.246168 "f f p" "z 0.0" tube 5 5 --length 15 --periodic
+compare graphene -7.394997 "p p f" xy graphene --cells 6 4
+compare tube-10-10 -7.355858 "f f p" z tube 10 10 --length 15 --periodic
+compare tube-5-5 -7.246168 "f f p" z tube 5 5 --length 15 --periodic
 compare C60 -6.842065 "f f f" none fullerene 1 1
 compare C240 -7.205094 "f f f" none fullerene 2 2
 compare C540 -7.294654 "f f f" none fullerene 3 3
-compare D688 -7.245690 "p p p" "iso 0.0" schwarzite d688 --cells 2
-compare P688 -7.118862 "p p p" "iso 0.0" schwarzite p688 --cells 2
-compare diamond -7.369997 "p p p" "iso 0.0" diamond --cells 3
+compare D688 -7.245690 "p p p" iso schwarzite d688 --cells 2
+compare P688 -7.118862 "p p p" iso schwarzite p688 --cells 2
+compare diamond -7.369997 "p p p" iso diamond --cells 3
