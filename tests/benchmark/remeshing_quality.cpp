@@ -1,0 +1,99 @@
+// Prints a table of what crystallise() makes of mesh files:
+//   remeshing_quality FACES draft|good|best [--features] mesh-file...
+// Tab-separated, one row a mesh; lengths of bonds over their mean, distances in mean edges. With --features,
+// what check_features() finds instead.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/surface.h"
+#include "nanocarbon/remeshing/crystallise.h"
+#include "nanocarbon/remeshing/feature_size.h"
+#include "nanocarbon/remeshing/triangulation_quality.h"
+
+namespace nanocarbon {
+namespace {
+
+constexpr double area_per_atom = 2.6195;  // square Angstrom
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+bool same_topology(const TriangleMesh& a, const TriangleMesh& b) {
+  const MeshTopology one = mesh_topology(a), two = mesh_topology(b);
+  return one.pieces == two.pieces && one.boundary_loops == two.boundary_loops &&
+         one.euler_characteristic == two.euler_characteristic && one.genus == two.genus && two.manifold();
+}
+
+void print_quality(const std::string& name, const TriangleMesh& surface, const CrystalOptions& options) {
+  const double start = cpu_seconds();
+  const CrystalResult result = crystallise(surface, options);
+  const double seconds = cpu_seconds() - start;
+  const TriangulationQuality q = measure_triangulation(result.mesh, surface);
+  const auto vertices = static_cast<double>(q.vertices);
+  fmt::print(
+      "{}\t{}\t{}\t{:.4f}\t{}\t{:.1f}\t{}\t{:.4f}\t{:.2f}\t{:.2f}\t{}\t{}\t{:.4f}\t{:.2f}\t{}\t{:.2f}\n",
+      name, q.faces, result.levels, q.edge_cv, q.bad, 100.0 * static_cast<double>(q.defects) / vertices,
+      q.charge, q.bond_cv, q.bond_min, q.bond_max, result.unsound, q.folds, q.distance_mean, q.distance_max,
+      same_topology(surface, result.mesh) ? "same" : "CHANGED", seconds);
+}
+
+void print_features(const std::string& name, TriangleMesh surface, std::size_t atoms) {
+  const double scale = std::sqrt(area_per_atom * static_cast<double>(atoms) / area(surface));
+  for (Vec3& p : surface.points) p *= scale;
+  const double start = cpu_seconds();
+  const FeatureReport report = check_features(surface, atoms);
+  fmt::print("{}\t{}\t{}\t{:.2f}", name, report.problems.size(), report.smallest_atoms,
+             cpu_seconds() - start);
+  for (std::size_t k = 0; k < std::min<std::size_t>(report.problems.size(), 3); ++k) {
+    const FeatureProblem& p = report.problems[k];
+    fmt::print("\t{} of {:.2f} (at least {:.2f}), area {:.0f}, at {:.1f} {:.1f} {:.1f}",
+               nanocarbon::name(p.kind), p.size, p.needed, p.area, p.where.x(), p.where.y(), p.where.z());
+  }
+  fmt::print("\n");
+}
+
+}  // namespace
+}  // namespace nanocarbon
+
+int main(int argc, char** argv) {
+  using namespace nanocarbon;
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() < 3) {
+    fmt::print(stderr, "usage: remeshing_quality FACES draft|good|best [--features] mesh-file...\n");
+    return 2;
+  }
+  CrystalOptions options;
+  options.faces = std::stoul(arguments[0]);
+  options.quality = arguments[1] == "draft"  ? CrystalQuality::draft
+                    : arguments[1] == "best" ? CrystalQuality::best
+                                             : CrystalQuality::good;
+  const bool features = arguments[2] == "--features";
+  if (features)
+    fmt::print("mesh\tproblems\tsmallest\tCPU s\tworst\n");
+  else
+    fmt::print(
+        "mesh\tfaces\tlevels\tedge cv\tbad\tdefects %\tcharge\tbond cv\tbond min\tbond max\tunsound\tfolds\t"
+        "distance\tmax\ttopology\tCPU s\n");
+  for (std::size_t k = features ? 3 : 2; k < arguments.size(); ++k) {
+    const std::filesystem::path file = arguments[k];
+    try {
+      const LoadedSurface surface = load_surface(file);
+      if (features)
+        print_features(file.filename().string(), surface.mesh, options.faces);
+      else
+        print_quality(file.filename().string(), surface.mesh, options);
+    } catch (const std::exception& error) {
+      fmt::print("{}\t{}\n", file.filename().string(), error.what());
+    }
+    std::fflush(stdout);
+  }
+  return 0;
+}
