@@ -23,7 +23,7 @@ struct FeatureLimits {
   double sheet_distance = 3.0;  //!< between two sheets, a little under graphite's 3.35
   //! Square Angstrom. Regions smaller than this are tips and corners, which a molecule rounds: every spike
   //! and every horn has one at any size.
-  double least_area = 150.0;
+  double least_area = 100.0;
 };
 
 //! A connected region of the surface that is too small in one way.
