@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <vector>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
@@ -109,6 +111,15 @@ int deepest_levels(std::size_t faces) {
   return levels;
 }
 
+std::vector<VertexIndex> troubled_vertices(const Tiling& tiling) {
+  std::vector<VertexIndex> troubled;
+  for (VertexIndex v = 0; v < tiling.table.vertices(); ++v) {
+    const bool bad = !tiling.table.on_border(v) && std::abs(tiling.table.valence(v) - 6) > 1;
+    if (bad || soundness_around(tiling, v) < 0) troubled.push_back(v);
+  }
+  return troubled;
+}
+
 //! Flips away what is left of wrong valences and evens the edges.
 void polish(Tiling& tiling) {
   constexpr int rounds = 4;
@@ -121,6 +132,39 @@ void polish(Tiling& tiling) {
     if (round > 0 && repair.flips == 0) break;
   }
   settle_on_surface(tiling);
+}
+
+//! Takes away vertices where triangles are turned or valences wrong beyond repair by flips, puts as many back
+//! where edges are longest, and polishes again; keeps what is better. Thin rims need it.
+void mend(Tiling& tiling) {
+  constexpr std::size_t rounds = 10;
+  Tiling trial = tiling;
+  std::size_t best = troubled_vertices(tiling).size();
+  for (std::size_t round = 0; round < rounds && best > 0; ++round) {
+    const double longest = 1.6 * mean_edge_length(trial);
+    for (const VertexIndex v : troubled_vertices(trial)) {
+      if (!trial.table.vertex_alive(v)) continue;
+      std::vector<std::pair<double, HalfEdge>> edges;
+      trial.table.for_outgoing(v, [&](HalfEdge h) {
+        edges.emplace_back((trial.points[trial.table.target(h)] - trial.points[v]).squaredNorm(), h);
+      });
+      std::sort(edges.begin(), edges.end());
+      // The shortest first; where that did not help, another one in the next round.
+      std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(round / 2 % edges.size()),
+                  edges.end());
+      for (const auto& edge : edges)
+        if (trial.table.alive(edge.second) && try_collapse(trial, edge.second, longest)) break;
+    }
+    compact(trial);
+    unfold(trial, 5);
+    reach_vertex_count(trial, tiling.table.live_vertices());
+    polish(trial);
+    const std::size_t left = troubled_vertices(trial).size();
+    if (left < best) {
+      best = left;
+      tiling = trial;
+    }
+  }
 }
 
 }  // namespace
@@ -153,6 +197,7 @@ CrystalResult crystallise(const TriangleMesh& surface, const CrystalOptions& opt
                                 options.faces, reached));
   report("evening edges", 0.9);
   polish(*tiling);
+  mend(*tiling);
   for (VertexIndex v = 0; v < tiling->table.vertices(); ++v) {
     const int charge = tiling->table.on_border(v) ? 0 : std::abs(tiling->table.valence(v) - 6);
     result.defects += charge > 0 ? 1 : 0;

@@ -24,7 +24,27 @@ std::size_t split_long_edges(Tiling& tiling, double limit) {
   return splits;
 }
 
-//! Merges the ends of an edge where topology, the longest edge allowed and the triangles' orientation permit.
+std::size_t collapse_short_edges(Tiling& tiling, double limit, double longest) {
+  std::size_t collapses = 0;
+  for (HalfEdge h = 0; h < tiling.table.half_edges(); ++h)
+    if (tiling.table.is_edge(h) && squared_length(tiling, h) < limit * limit)
+      collapses += try_collapse(tiling, h, longest) ? 1 : 0;
+  return collapses;
+}
+
+//! Edges by length, the shortest first; ties by index.
+std::vector<HalfEdge> sorted_edges(const Tiling& tiling) {
+  std::vector<std::pair<double, HalfEdge>> keyed;
+  for (HalfEdge h = 0; h < tiling.table.half_edges(); ++h)
+    if (tiling.table.is_edge(h)) keyed.emplace_back(squared_length(tiling, h), h);
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<HalfEdge> edges(keyed.size());
+  std::transform(keyed.begin(), keyed.end(), edges.begin(), [](const auto& k) { return k.second; });
+  return edges;
+}
+
+}  // namespace
+
 bool try_collapse(Tiling& tiling, HalfEdge h, double longest) {
   CornerTable& table = tiling.table;
   if (table.on_border(table.origin(h)) && !table.on_border(table.target(h))) h = table.twin(h);
@@ -48,27 +68,6 @@ bool try_collapse(Tiling& tiling, HalfEdge h, double longest) {
   table.collapse(h);
   return true;
 }
-
-std::size_t collapse_short_edges(Tiling& tiling, double limit, double longest) {
-  std::size_t collapses = 0;
-  for (HalfEdge h = 0; h < tiling.table.half_edges(); ++h)
-    if (tiling.table.is_edge(h) && squared_length(tiling, h) < limit * limit)
-      collapses += try_collapse(tiling, h, longest) ? 1 : 0;
-  return collapses;
-}
-
-//! Edges by length, the shortest first; ties by index.
-std::vector<HalfEdge> sorted_edges(const Tiling& tiling) {
-  std::vector<std::pair<double, HalfEdge>> keyed;
-  for (HalfEdge h = 0; h < tiling.table.half_edges(); ++h)
-    if (tiling.table.is_edge(h)) keyed.emplace_back(squared_length(tiling, h), h);
-  std::sort(keyed.begin(), keyed.end());
-  std::vector<HalfEdge> edges(keyed.size());
-  std::transform(keyed.begin(), keyed.end(), edges.begin(), [](const auto& k) { return k.second; });
-  return edges;
-}
-
-}  // namespace
 
 void smooth_tangentially(Tiling& tiling, int rounds) {
   for (int round = 0; round < rounds; ++round)

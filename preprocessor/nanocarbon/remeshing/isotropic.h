@@ -18,6 +18,10 @@ struct IsotropicResult {
 //! edge_length in the unit of the surface
 IsotropicResult remesh_isotropically(Tiling& tiling, double edge_length, int rounds);
 
+//! Merges the ends of an edge where the topology permits, no edge gets longer than `longest` and no triangle
+//! is turned or folded. \return whether it did
+bool try_collapse(Tiling& tiling, HalfEdge h, double longest);
+
 //! \brief Splits the longest or collapses the shortest edges until the tiling has this many vertices.
 //! \return the number reached; it differs from the one asked for where no further collapse keeps the topology
 std::size_t reach_vertex_count(Tiling& tiling, std::size_t vertices);
