@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "nanocarbon/relaxation/bond_switching.h"
 #include "nanocarbon/relaxation/dual_relaxation.h"
@@ -17,6 +18,10 @@ constexpr std::size_t kCoarsest = 450;  // atoms: fewer cannot show a shape
 
 // What REBO2 must see, with a margin for what happens when the tether goes: whole bonds end at 1.7 Angstrom,
 // and other atoms are seen from 2.0.
+// Atoms farther from the surface than this in the mean, multiplied up to the full size, have lost the shape,
+// Angstrom.
+constexpr double kCoarseDistance = 3;
+constexpr int kMendings = 2;
 constexpr double kSafeBond = 1.62, kSafeDistance = 2.1;
 
 struct Level {
@@ -24,6 +29,7 @@ struct Level {
   double unannealed = 0;  // eV for each atom
   double energy = 0;      // eV for each atom, with tether
   std::size_t accepted = 0;
+  double mean_distance = 0;  // of the atoms to the surface, Angstrom
   bool sound = false;
 };
 
@@ -48,6 +54,7 @@ void relax_level(Level& level, const TetherSurface& tether_surface) {
   const auto relaxed = relax_network(fixed_bond_graph(level.state.network), level.state.positions,
                                      tether_surface, {.tether = level.state.tether});
   level.unannealed = relaxed.energy / static_cast<double>(level.state.positions.size());
+  level.mean_distance = relaxed.mean_distance;
   level.sound = relaxed.longest_bond < kSafeBond && relaxed.closest_unbonded > kSafeDistance;
 }
 
@@ -86,11 +93,18 @@ class Recipe {
 
   AnnealResult run() {
     AnnealResult result;
-    result.refinements = refinements_for(atoms_, options_.quality);
-    Level level = coarse_level(result.refinements);
+    const TetherSurface tether_surface(surface_, 1);
+    Level level = start_level(surface_, 1, atoms_, triangulate_, options_, options_.seed);
+    relax_level(level, tether_surface);
     result.unannealed_energy = level.unannealed;
-    for (int left = result.refinements - 1; left >= 0; --left) refine(level, left);
-    finish(level, result);
+    if (options_.quality == AnnealQuality::draft) {
+      mend_level(level, tether_surface, switching(atoms_));
+    } else {
+      result.refinements = begin_coarse(level);
+      anneal_level(level, tether_surface,
+                   result.refinements > 0 ? fine_switching(0) : single_level_switching());
+    }
+    finish(level, tether_surface, result);
     return result;
   }
 
@@ -103,6 +117,7 @@ class Recipe {
     switching.target_atoms = target;
     switching.seed = options_.seed;
     switching.threads = options_.threads;
+    switching.cold = 0.2;
     return switching;
   }
 
@@ -110,66 +125,98 @@ class Recipe {
     if (options_.progress) options_.progress(stage, share);
   }
 
-  Level coarse_level(int refinements) {
+  // Cooling from where defects just begin to move freely: a crystal's order over long ranges survives it.
+  BondSwitchingOptions single_level_switching() const {
+    BondSwitchingOptions single = switching(atoms_);
+    single.hot = atoms_ < 4 * kCoarsest ? 0.5 : 0.35;
+    single.blocks = options_.quality == AnnealQuality::best ? 48 : atoms_ < 4 * kCoarsest ? 24 : 12;
+    single.progress = [this, blocks = single.blocks](int block, double, std::size_t, std::size_t) {
+      tell("annealing", (block + 1.0) / blocks);
+    };
+    return single;
+  }
+
+  BondSwitchingOptions fine_switching(int left) const {
+    BondSwitchingOptions fine = switching(atoms(left));
+    fine.hot = 0.35;
+    fine.blocks = options_.quality == AnnealQuality::best ? 16 : 8;
+    fine.trials_per_defect = 60;
+    fine.progress = [this, blocks = fine.blocks](int block, double, std::size_t, std::size_t) {
+      tell("annealing refined", (block + 1.0) / blocks);
+    };
+    return fine;
+  }
+
+  // Replaces a start at full size by one refined from annealed coarser ones, where that has less energy:
+  // smooth shapes gain much by it, shapes with thin parts do not show them at a quarter of the atoms. Returns
+  // the refinements.
+  int begin_coarse(Level& direct) {
+    for (int refinements = refinements_for(atoms_, options_.quality); refinements > 0; --refinements) {
+      std::optional<Level> level = coarse_level(refinements);
+      for (int left = refinements - 1; left >= 0 && level; --left) {
+        const TetherSurface tether_surface(surface_, scale(left));
+        level->state = refined_in_four(level->state, tether_surface);
+        level->state.tether = tether_for(options_, atoms(left));
+        relax_level(*level, tether_surface);
+        if (!level->sound) level.reset();
+        if (level && left > 0) anneal_level(*level, tether_surface, fine_switching(left));
+      }
+      if (!level || level->unannealed > direct.unannealed) continue;
+      direct = std::move(*level);
+      return refinements;
+    }
+    return 0;
+  }
+
+  // The best of several annealed starts at a coarser level, or nothing where the shape is not held there.
+  std::optional<Level> coarse_level(int refinements) {
     const TetherSurface tether_surface(surface_, scale(refinements));
-    tell("triangulating", 0);
-    const int attempts = options_.quality == AnnealQuality::best ? 4 : refinements > 0 ? 2 : 1;
-    Level best;
+    const int attempts = options_.quality == AnnealQuality::best ? 4 : 2;
+    std::optional<Level> best;
     for (int attempt = 0; attempt < attempts; ++attempt) {
       Level level = start_level(surface_, scale(refinements), atoms(refinements), triangulate_, options_,
                                 options_.seed + static_cast<std::uint64_t>(attempt));
       relax_level(level, tether_surface);
-      if (options_.quality == AnnealQuality::draft) {
-        mend_level(level, tether_surface, switching(atoms(refinements)));
-      } else {
-        BondSwitchingOptions coarse = switching(atoms(refinements));
-        coarse.hot = 0.5;
-        coarse.cold = 0.2;
-        coarse.blocks = 24;
-        coarse.trials_per_defect = 100;
-        coarse.seed += 1000 * static_cast<std::uint64_t>(attempt);
-        coarse.progress = [&](int block, double, std::size_t, std::size_t) {
-          tell("annealing", (attempt + (block + 1.0) / coarse.blocks) / attempts);
-        };
-        anneal_level(level, tether_surface, coarse);
-      }
-      if (attempt == 0 || level.energy < best.energy) best = std::move(level);
+      if (!level.sound || !shows_shape(level, refinements)) return {};
+      BondSwitchingOptions coarse = switching(atoms(refinements));
+      coarse.hot = 0.5;
+      coarse.blocks = 24;
+      coarse.seed += 1000 * static_cast<std::uint64_t>(attempt);
+      coarse.progress = [&](int block, double, std::size_t, std::size_t) {
+        tell("annealing coarsely", (attempt + (block + 1.0) / coarse.blocks) / attempts);
+      };
+      anneal_level(level, tether_surface, coarse);
+      if (!best || level.energy < best->energy) best = std::move(level);
     }
     return best;
   }
 
-  void refine(Level& level, int left) {
-    const TetherSurface tether_surface(surface_, scale(left));
-    level.state = refined_in_four(level.state, tether_surface);
-    level.state.tether = tether_for(options_, atoms(left));
-    const double unannealed = level.unannealed;
-    relax_level(level, tether_surface);
-    level.unannealed = unannealed;
-    BondSwitchingOptions fine = switching(atoms(left));
-    fine.hot = 0.35;
-    fine.cold = 0.2;
-    fine.blocks = 8;
-    fine.trials_per_defect = 60;
-    fine.progress = [&](int block, double, std::size_t, std::size_t) {
-      tell("annealing refined", (block + 1.0) / fine.blocks);
-    };
-    anneal_level(level, tether_surface, fine);
+  // A coarse level is of use only if its atoms still lie on the surface, by the measure of the level.
+  static bool shows_shape(const Level& level, int refinements) {
+    return std::ldexp(level.mean_distance, refinements) < kCoarseDistance;
   }
 
-  void finish(Level& level, AnnealResult& result) {
+  void finish(Level& level, const TetherSurface& tether_surface, AnnealResult& result) {
     tell("minimising", 0);
-    const TetherSurface tether_surface(surface_, 1);
-    // Without the tether, still on fixed bonds: the way to the minimum may stretch bonds that the end does
-    // not.
     FixedBondModel model;
-    model.rebo2.graph = fixed_bond_graph(level.state.network);
-    minimise_fixed_bonds(model, nullptr, level.state.positions,
-                         {.max_iterations = 2000, .force_tolerance = 3 * options_.force_tolerance});
-    result.molecule = molecule_of(level.state.network, level.state.positions);
-    const auto relaxed = minimise_rebo2(result.molecule, {.force_tolerance = options_.force_tolerance});
-    result.energy = relaxed.energy / static_cast<double>(result.molecule.size());
-    result.max_force = relaxed.max_force;
-    result.intact = relaxed.intact;
+    for (int attempt = 0; attempt <= kMendings && !result.intact; ++attempt) {
+      if (attempt > 0) {
+        level.sound = false;
+        mend_level(level, tether_surface, switching(atoms_));
+      }
+      // Without the tether, still on fixed bonds: the way to the minimum may stretch bonds that the end does
+      // not.
+      model = {};
+      model.rebo2.graph = fixed_bond_graph(level.state.network);
+      std::vector<Vec3> positions = level.state.positions;
+      minimise_fixed_bonds(model, nullptr, positions,
+                           {.max_iterations = 2000, .force_tolerance = 3 * options_.force_tolerance});
+      result.molecule = molecule_of(level.state.network, positions);
+      const auto relaxed = minimise_rebo2(result.molecule, {.force_tolerance = options_.force_tolerance});
+      result.energy = relaxed.energy / static_cast<double>(result.molecule.size());
+      result.max_force = relaxed.max_force;
+      result.intact = relaxed.intact;
+    }
     result.accepted = level.accepted;
     const GeometryCheck check = check_geometry(result.molecule.positions, model.rebo2.graph);
     result.shortest_bond = check.shortest_bond;

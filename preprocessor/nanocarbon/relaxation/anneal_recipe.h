@@ -30,25 +30,29 @@ struct AnnealOptions {
 };
 
 struct AnnealResult {
-  Molecule molecule;  //!< with rings; at a minimum of the full REBO2 energy
-  double unannealed_energy =
-      0;                 //!< eV for each atom, of dual relaxation alone at the level where annealing began
-  double energy = 0;     //!< eV for each atom
-  double max_force = 0;  //!< eV/Angstrom
-  double mean_distance = 0;     //!< of the atoms to the surface, Angstrom
-  double shortest_bond = 0;     //!< Angstrom
-  double longest_bond = 0;      //!< Angstrom
-  double closest_unbonded = 0;  //!< Angstrom, at most 2.2 (geometry_check.h)
-  bool intact = false;          //!< REBO2 sees exactly the molecule's bonds
-  int refinements = 0;          //!< times the triangulation was cut in four
-  std::size_t accepted = 0;     //!< bond switches made
+  Molecule molecule;             //!< with rings; at a minimum of the full REBO2 energy
+  double unannealed_energy = 0;  //!< eV for each atom, of dual relaxation alone
+  double energy = 0;             //!< eV for each atom
+  double max_force = 0;          //!< eV/Angstrom
+  double mean_distance = 0;      //!< of the atoms to the surface, Angstrom
+  double shortest_bond = 0;      //!< Angstrom
+  double longest_bond = 0;       //!< Angstrom
+  double closest_unbonded = 0;   //!< Angstrom, at most 2.2 (geometry_check.h)
+  bool intact = false;           //!< REBO2 sees exactly the molecule's bonds
+  int refinements = 0;           //!< times the triangulation was cut in four
+  std::size_t accepted = 0;      //!< bond switches made
 };
 
 //! \brief The default recipe: from a surface to a molecule at a minimum of REBO2.
-//! \details Triangulates a surface of a quarter (or less) of the area, relaxes the dual, anneals its defects,
-//! refines, anneals again shortly, and minimises the full potential without a tether. \param surface
-//! Angstrom; a sound oriented 2-manifold, with or without border \param atoms wanted; met within one percent
-//! where the surface allows \throw UserError as the triangulator does
+//!
+//! Triangulates the surface and relaxes the dual. Anneals also at a quarter (or a sixteenth) of the atoms,
+//! refines, and goes on from there where that has less energy. Anneals at full size, and minimises the full
+//! potential without a tether; where REBO2 would then see other bonds than the molecule's, mends the place
+//! and minimises again.
+//!
+//! \param surface Angstrom; a sound oriented 2-manifold, with or without border
+//! \param atoms wanted; met within one percent where the surface allows
+//! \throw UserError as the triangulator does
 AnnealResult anneal(const TriangleMesh& surface, std::size_t atoms, const Triangulator& triangulate,
                     const AnnealOptions& options);
 
