@@ -1,9 +1,12 @@
 #include "nanocarbon/relaxation/anneal_recipe.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "nanocarbon/core/error.h"
 #include "nanocarbon/relaxation/bond_switching.h"
 #include "nanocarbon/relaxation/dual_relaxation.h"
 #include "nanocarbon/relaxation/geometry_check.h"
@@ -14,7 +17,9 @@ namespace nanocarbon {
 
 namespace {
 
-constexpr std::size_t kCoarsest = 450;  // atoms: fewer cannot show a shape
+constexpr std::size_t kCoarsest = 200;  // atoms: fewer cannot show a shape
+
+constexpr std::size_t kSmall = 1800;  // atoms up to which a hot start at full size is affordable
 
 // What REBO2 must see, with a margin for what happens when the tether goes: whole bonds end at 1.7 Angstrom,
 // and other atoms are seen from 2.0.
@@ -38,12 +43,18 @@ double tether_for(const AnnealOptions& options, std::size_t atoms) {
   return atoms <= 2500 ? 0.05 : 0.01;
 }
 
-Level start_level(const TriangleMesh& surface, double scale, std::size_t atoms,
-                  const Triangulator& triangulate, const AnnealOptions& options, std::uint64_t seed) {
+// Nothing where parts are so thin for the number of atoms that a triangulation pinches them.
+std::optional<Level> try_start(const TriangleMesh& surface, double scale, std::size_t atoms,
+                               const Triangulator& triangulate, const AnnealOptions& options,
+                               std::uint64_t seed) {
   Level level;
   TriangleMesh mesh = triangulate(surface, atoms, seed);
   for (Vec3& p : mesh.points) p *= scale;
-  level.state.network = trivalent_network(mesh);
+  try {
+    level.state.network = trivalent_network(mesh);
+  } catch (const UserError&) {
+    return {};
+  }
   for (const Triangle& t : mesh.triangles)
     level.state.positions.push_back((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
   level.state.tether = tether_for(options, atoms);
@@ -94,7 +105,7 @@ class Recipe {
   AnnealResult run() {
     AnnealResult result;
     const TetherSurface tether_surface(surface_, 1);
-    Level level = start_level(surface_, 1, atoms_, triangulate_, options_, options_.seed);
+    Level level = full_size_level();
     relax_level(level, tether_surface);
     result.unannealed_energy = level.unannealed;
     if (options_.quality == AnnealQuality::draft) {
@@ -121,6 +132,17 @@ class Recipe {
     return switching;
   }
 
+  Level full_size_level() const {
+    constexpr std::uint64_t seeds = 4;
+    for (std::uint64_t k = 0; k < seeds; ++k)
+      if (auto level = try_start(surface_, 1, atoms_, triangulate_, options_, options_.seed + k))
+        return *level;
+    throw UserError(Failure::size,
+                    fmt::format("{} atoms are too few for the thinnest parts of the surface: its "
+                                "triangulation pinches them; ask for more atoms",
+                                atoms_));
+  }
+
   void tell(std::string_view stage, double share) const {
     if (options_.progress) options_.progress(stage, share);
   }
@@ -128,8 +150,8 @@ class Recipe {
   // Cooling from where defects just begin to move freely: a crystal's order over long ranges survives it.
   BondSwitchingOptions single_level_switching() const {
     BondSwitchingOptions single = switching(atoms_);
-    single.hot = atoms_ < 4 * kCoarsest ? 0.5 : 0.35;
-    single.blocks = options_.quality == AnnealQuality::best ? 48 : atoms_ < 4 * kCoarsest ? 24 : 12;
+    single.hot = atoms_ < kSmall ? 0.5 : 0.35;
+    single.blocks = options_.quality == AnnealQuality::best ? 48 : atoms_ < kSmall ? 24 : 12;
     single.progress = [this, blocks = single.blocks](int block, double, std::size_t, std::size_t) {
       tell("annealing", (block + 1.0) / blocks);
     };
@@ -174,8 +196,10 @@ class Recipe {
     const int attempts = options_.quality == AnnealQuality::best ? 4 : 2;
     std::optional<Level> best;
     for (int attempt = 0; attempt < attempts; ++attempt) {
-      Level level = start_level(surface_, scale(refinements), atoms(refinements), triangulate_, options_,
-                                options_.seed + static_cast<std::uint64_t>(attempt));
+      std::optional<Level> start = try_start(surface_, scale(refinements), atoms(refinements), triangulate_,
+                                             options_, options_.seed + static_cast<std::uint64_t>(attempt));
+      if (!start) return {};
+      Level& level = *start;
       relax_level(level, tether_surface);
       if (!level.sound || !shows_shape(level, refinements)) return {};
       BondSwitchingOptions coarse = switching(atoms(refinements));

@@ -12,9 +12,11 @@ namespace {
 
 constexpr std::size_t kBatch = 8;  // trials on one state; fixed, so that threads do not change the outcome
 
-// A hundredth more or less than the target costs about k T in small molecules, and no less than 1/N in large
-// ones.
-double default_penalty(double target) { return std::max(1 / target, 20000 / (target * target)); }
+// A hundredth more or less than the target costs 2 eV in medium molecules; no less than 1/N a pair in large
+// ones, and no more than lets a pair of atoms come and go in small ones.
+double default_penalty(double target) {
+  return std::max(1 / target, std::min(20000 / (target * target), 0.05));
+}
 
 // Rings that are no hexagons, with constant-time updates and an order that depends only on the history.
 class DefectList {
@@ -63,7 +65,7 @@ class Annealer {
 
   BondSwitchingResult run() {
     result_.energy_before = relax_state(state_, surface_, 200, 0.02) / static_cast<double>(atoms_);
-    terms_.chemical_potential = result_.energy_before;
+    terms_.chemical_potential = graphene_energy;
     double best_score = score(result_.energy_before * static_cast<double>(atoms_));
     SwitchingState best = state_;
     result_.energy = result_.energy_before;
@@ -73,13 +75,12 @@ class Annealer {
       run_block();
       compact_state();
       const double energy = relax_state(state_, surface_, 150, 0.02);
-      terms_.chemical_potential = energy / static_cast<double>(atoms_);
-      if (options_.progress)
-        options_.progress(block, terms_.chemical_potential, atoms_, defects_.list().size());
+      const double per_atom = energy / static_cast<double>(atoms_);
+      if (options_.progress) options_.progress(block, per_atom, atoms_, defects_.list().size());
       if (score(energy) < best_score) {
         best_score = score(energy);
         best = state_;
-        result_.energy = terms_.chemical_potential;
+        result_.energy = per_atom;
       }
     }
     state_ = std::move(best);
@@ -88,10 +89,10 @@ class Annealer {
   }
 
  private:
-  // Comparable between atom counts: energy over that of as many atoms at the mean energy of the target count.
+  // Comparable between atom counts: what bends and binds differently from graphene, at the price of a wrong
+  // count.
   double score(double energy) const {
-    const double excess = energy / static_cast<double>(atoms_) * static_cast<double>(target_);
-    return excess + penalty_ * above() * above();
+    return energy - static_cast<double>(atoms_) * graphene_energy + penalty_ * above() * above();
   }
   double above() const { return static_cast<double>(atoms_) - static_cast<double>(target_); }
 

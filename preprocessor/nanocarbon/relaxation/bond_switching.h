@@ -7,6 +7,10 @@
 
 namespace nanocarbon {
 
+//! REBO2 energy of graphene at rest, eV for each atom: the price of atoms gained or lost, since shape and
+//! defects cost about the same whatever the number of atoms.
+inline constexpr double graphene_energy = -7.3949972517;
+
 struct BondSwitchingOptions {
   double hot = 0.75;   //!< k T of the first block, eV
   double cold = 0.22;  //!< k T of the last block, eV

@@ -10,9 +10,9 @@ namespace nanocarbon {
 
 //! What a trial is judged by.
 struct TrialTerms {
-  double temperature = 0.3;          //!< k T, eV
-  double chemical_potential = -7.3;  //!< eV for each atom gained
-  double count_penalty = 0;          //!< eV for each (atoms - target)^2
+  double temperature = 0.3;       //!< k T, eV
+  double chemical_potential = 0;  //!< eV for each atom gained
+  double count_penalty = 0;       //!< eV for each (atoms - target)^2
   long atoms_above_target = 0;
   double climb_share = 0.35;  //!< of trials that add or remove a pair of atoms
   double least_cosine = 0.2;  //!< of the angle between an atom's normal and the surface's
