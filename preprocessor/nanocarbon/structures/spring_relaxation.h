@@ -8,7 +8,7 @@ struct SpringRelaxationOptions {
   double bond = 1.43;  //!< rest length of bonds, Angstrom
   double ring_stiffness =
       0.3;               //!< of springs between second neighbours in a ring, relative to those of bonds
-  int iterations = 400;  //!< at most
+  int iterations = 100;  //!< at most; more hardly changes bonds, also with a million atoms
 };
 
 struct SpringResult {
