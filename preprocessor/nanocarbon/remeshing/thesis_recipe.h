@@ -19,7 +19,7 @@ enum class ThesisStop {
 //! The words of a report for it.
 const char* to_string(ThesisStop stop);
 
-//! CPU-independent wall-clock seconds by step.
+//! Wall-clock seconds by step.
 struct ThesisSeconds {
   double stellar = 0.0;
   double valence = 0.0;
@@ -31,9 +31,8 @@ struct ThesisSeconds {
 };
 
 struct ThesisResult {
-  TriangleMesh mesh;  //!< Angstrom; its dual (molecule/dual.h) is the molecule
-  double scale =
-      1.0;  //!< the mesh lies on the surface given times this; other than 1 only with ThesisOptions::atoms
+  TriangleMesh mesh;   //!< Angstrom; its dual (molecule/dual.h) is the molecule
+  double scale = 1.0;  //!< the mesh lies on the surface times this; not 1 only with ThesisOptions::atoms
   unsigned iterations = 0;
   ThesisStop stop = ThesisStop::iteration_limit;
   std::vector<EdgeCounts> history;  //!< of the surface as given, then after every iteration
