@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
 #include <vector>
@@ -41,13 +42,27 @@ struct ProjectionMesh::Search {
     std::vector<std::uint32_t> fill(offsets.begin(), offsets.end() - 1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (const VertexIndex v : mesh.triangles[t]) incident[fill[v]++] = static_cast<std::uint32_t>(t);
+    spheres.reserve(mesh.triangles.size());
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const std::array<Vec3, 3> corners = {mesh.points[a], mesh.points[b], mesh.points[c]};
+      Sphere sphere{(corners[0] + corners[1] + corners[2]) / 3.0, 0.0};
+      for (const Vec3& corner : corners)
+        sphere.radius = std::max(sphere.radius, (corner - sphere.centre).norm());
+      spheres.push_back(sphere);
+    }
   }
+
+  struct Sphere {
+    Vec3 centre;
+    double radius;
+  };
 
   TriangleMesh mesh;
   PointSet set;
   Tree tree;
   std::vector<std::uint32_t> offsets;  // triangles around vertex v are incident[offsets[v] .. offsets[v + 1])
   std::vector<std::uint32_t> incident;
+  std::vector<Sphere> spheres;  // around each triangle
 };
 
 ProjectionMesh::ProjectionMesh(TriangleMesh mesh) : search_(std::make_unique<Search>(std::move(mesh))) {}
@@ -63,19 +78,21 @@ Vec3 ProjectionMesh::project(const Vec3& point, unsigned nearest_vertices) const
                                       nearest.data(), distances.data());
   Vec3 best = point;
   double best_distance = std::numeric_limits<double>::infinity();
-  // A triangle of several of the vertices is met several times; a short list of those seen saves most of the
-  // work.
-  std::array<std::uint32_t, 64> seen;
-  std::size_t seen_count = 0;
+  double best_length = best_distance;
   for (std::size_t k = 0; k < found; ++k)
     for (std::uint32_t i = s.offsets[nearest[k]]; i < s.offsets[nearest[k] + 1]; ++i) {
       const std::uint32_t t = s.incident[i];
-      if (std::find(seen.begin(), seen.begin() + seen_count, t) != seen.begin() + seen_count) continue;
-      if (seen_count < seen.size()) seen[seen_count++] = t;
+      // Most triangles lie, with the sphere around them, beyond the best candidate; so do not look at them
+      // closely.
+      const double reach = best_length + s.spheres[t].radius;
+      if ((s.spheres[t].centre - point).squaredNorm() > reach * reach) continue;
       const auto [a, b, c] = s.mesh.triangles[t];
       const Vec3 candidate = nearest_on_triangle(point, s.mesh.points[a], s.mesh.points[b], s.mesh.points[c]);
       const double distance = (candidate - point).squaredNorm();
-      if (distance < best_distance) best = candidate, best_distance = distance;
+      if (distance >= best_distance) continue;
+      best = candidate;
+      best_distance = distance;
+      best_length = std::sqrt(distance);
     }
   return best;
 }
