@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t kBatch = 8;  // trials on one state; fixed, so that threads do not change the outcome
 
-// A hundredth more or less than the target costs 2 eV in medium molecules; no less than 1/N a pair in large
-// ones, and no more than lets a pair of atoms come and go in small ones.
+// A hundredth more or less than the target costs 20 eV, but a single pair of atoms may come and go in small
+// molecules.
 double default_penalty(double target) {
-  return std::max(1 / target, std::min(20000 / (target * target), 0.05));
+  return std::max(1 / target, std::min(200000 / (target * target), 0.05));
 }
 
 // Rings that are no hexagons, with constant-time updates and an order that depends only on the history.
