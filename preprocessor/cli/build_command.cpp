@@ -78,6 +78,11 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
   group->add_option("--max-force", c.build.force_tolerance, "Largest force left at the end, eV/Angstrom")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  group->add_flag("--certify", c.build.certify,
+                  "Prove that the molecule is at a minimum: forces below 1e-6 eV/Angstrom, Hessian positive");
+  group->add_flag(
+      "--force", c.build.force,
+      "Go on where the shape's features ask for more atoms, and keep a molecule that does not hold");
 }
 
 void add_thesis_options(CLI::App& sub, BuildCommand& c) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/molecule/primal.h"
 #include "nanocarbon/remeshing/crystallise.h"
+#include "nanocarbon/remeshing/feature_size.h"
 
 namespace nanocarbon {
 namespace {
@@ -70,8 +72,23 @@ CrystalQuality crystal_quality(AnnealQuality quality) {
   return CrystalQuality::good;
 }
 
+void require_room_for_features(const SizedSurface& surface) {
+  const FeatureReport features = check_features(surface.mesh, surface.atoms);
+  if (features.ok()) return;
+  const FeatureProblem& worst = features.problems.front();
+  const Vec3 where = worst.where / surface.scale;
+  throw UserError(
+      Failure::size,
+      fmt::format(
+          "the shape is too small for {} atoms in {} place(s): a {} of {:.2f} A at ({:.4g}, {:.4g}, "
+          "{:.4g}) of the mesh should have {:.2f} A; ask for --atoms {} or more, or go on with --force",
+          surface.atoms, features.problems.size(), name(worst.kind), worst.size, where.x(), where.y(),
+          where.z(), worst.needed, features.smallest_atoms));
+}
+
 void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
+  if (!options.force) require_room_for_features(result.surface);
   const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
     Stopwatch crystal;
     CrystalResult made = crystallise(surface, {.faces = faces,
@@ -89,6 +106,21 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   if (options.tether) annealing.tether = *options.tether;
   result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, annealing);
   result.molecule = std::exchange(result.annealed->molecule, {});
+  if (!result.annealed->intact && !options.force)
+    throw UserError(
+        Failure::failed,
+        fmt::format(
+            "no molecule was found that holds: bonds of {:.2f} to {:.2f} A, unbonded atoms at {:.2f} A; "
+            "ask for more atoms, or take it as it is with --force",
+            result.annealed->shortest_bond, result.annealed->longest_bond,
+            result.annealed->closest_unbonded));
+  if (options.certify) {
+    if (options.progress) options.progress("certifying", 0.0);
+    result.certificate =
+        certify(result.molecule, {.force_tolerance = std::min(1e-6, options.force_tolerance)});
+    result.annealed->energy = result.certificate->energy / static_cast<double>(result.molecule.size());
+    result.annealed->max_force = result.certificate->max_force;
+  }
   result.triangulation = primal(result.molecule);
   result.seconds.molecule = stage.lap() - result.seconds.remeshing;
 }

@@ -8,6 +8,7 @@
 #include "nanocarbon/building/size_request.h"
 #include "nanocarbon/molecule/molecule.h"
 #include "nanocarbon/relaxation/anneal_recipe.h"
+#include "nanocarbon/relaxation/certificate.h"
 #include "nanocarbon/remeshing/thesis_recipe.h"
 
 namespace nanocarbon {
@@ -34,6 +35,8 @@ struct BuildOptions {
   AnnealQuality quality = AnnealQuality::good;
   std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: by size
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
+  bool certify = false;           //!< prove that the molecule is at a minimum (certificate.h)
+  bool force = false;  //!< go on where the shape asks for more atoms, keep a molecule that does not hold
   //! @}
   ThesisOptions thesis;  //!< of the thesis and its forerunners
 
@@ -54,16 +57,16 @@ struct BuildResult {
   SizedSurface surface;
   TriangleMesh triangulation;  //!< Angstrom; the molecule is its dual
   Molecule molecule;
-  std::optional<AnnealResult> annealed;  //!< what annealing did; its molecule has moved to molecule
-  std::optional<ThesisResult>
-      thesis;  //!< what the thesis's remeshing did; its mesh has moved to triangulation
+  std::optional<AnnealResult> annealed;    //!< what annealing did; its molecule has moved to molecule
+  std::optional<Certificate> certificate;  //!< where asked for
+  std::optional<ThesisResult> thesis;      //!< what remeshing did; its mesh has moved to triangulation
   BuildSeconds seconds;
 };
 
 //! \brief From a surface to a molecule of carbon atoms.
 //! \param surface a sound 2-manifold, oriented, mesh units (see load_surface())
 //! \throw UserError (size, unsuitable) as sized_surface(); (failed) where the molecule's topology is not the
-//! surface's
+//! surface's, or REBO2 would bind other atoms than the molecule does
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options);
 
 }  // namespace nanocarbon

@@ -108,6 +108,13 @@ Json annealed_json(const AnnealResult& r) {
           {"bond_switches", r.accepted}};
 }
 
+Json certificate_json(const Certificate& c) {
+  return {{"minimum", c.minimum()},
+          {"converged", c.converged},
+          {"max_force", c.max_force},
+          {"smallest_eigenvalues", c.eigenvalues}};
+}
+
 Json options_json(const BuildResult& result, const BuildOptions& o) {
   Json json = {{"recipe", name(o.recipe)}, {"atoms_aimed_at", result.surface.atoms}};
   if (result.annealed) {
@@ -164,6 +171,7 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
                         {"surface_to_triangulation", distance_json(triangulation.back)},
                         {"triangulation_to_surface", distance_json(triangulation.there)}};
   if (result.annealed) report["annealing"] = annealed_json(*result.annealed);
+  if (result.certificate) report["certificate"] = certificate_json(*result.certificate);
   if (result.thesis) report["remeshing"] = thesis_json(*result.thesis);
   report["seconds"] = {{"remeshing", result.seconds.remeshing},
                        {"molecule", result.seconds.molecule},
@@ -213,6 +221,15 @@ std::string report_table(const Json& report) {
                      r["energy_per_atom"].get<double>(), 1e3 * r["above_graphene"].get<double>(),
                      1e3 * r["above_graphene_unannealed"].get<double>()));
     line("largest force, eV/A", fmt::format("{:.1e}", r["max_force"].get<double>()));
+  }
+  if (report.contains("certificate")) {
+    const Json& c = report["certificate"];
+    std::string eigenvalues;
+    for (const Json& value : c["smallest_eigenvalues"])
+      eigenvalues += fmt::format("{:.4f} ", value.get<double>());
+    line("certificate",
+         fmt::format("{}; smallest eigenvalues of the Hessian {}eV/A^2",
+                     c["minimum"].get<bool>() ? "a minimum" : "NOT SHOWN TO BE A MINIMUM", eigenvalues));
   }
   line("seconds", fmt::format("{:.2f}", report["seconds"]["total"].get<double>()));
   return table;
