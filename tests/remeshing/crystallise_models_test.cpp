@@ -3,6 +3,7 @@
 #include "nanocarbon/mesh/surface.h"
 #include "nanocarbon/remeshing/crystallise.h"
 #include "nanocarbon/remeshing/triangulation_quality.h"
+#include "remeshing/shapes.h"
 #include "remeshing/topology.h"
 #include "support/models.h"
 
@@ -48,6 +49,16 @@ INSTANTIATE_TEST_SUITE_P(TenThousandFaces, CrystalliseModels,
                            const std::string file = param_info.param.file;
                            return file.substr(0, file.find_first_of("-."));
                          });
+
+TEST(CrystalliseSlowly, SphereHasFewMoreDefectsThanTheTwelveOfEuler) {
+  const TriangleMesh surface = test::sphere(10, 4);
+  CrystalOptions options;
+  options.faces = 2000;
+  const CrystalResult result = crystallise(surface, options);
+  EXPECT_EQ(result.bad_valences, 0u);
+  EXPECT_GE(result.defects, 12u);
+  EXPECT_LT(static_cast<double>(result.defects), 0.08 * static_cast<double>(result.mesh.points.size()));
+}
 
 }  // namespace
 }  // namespace nanocarbon
