@@ -27,7 +27,7 @@ constexpr std::size_t kSmall = 1800;  // atoms up to which a hot start at full s
 // Angstrom.
 constexpr double kCoarseDistance = 3;
 constexpr int kMendings = 2;
-constexpr double kSafeBond = 1.62, kSafeDistance = 2.1;
+constexpr double kSafeBond = 1.66, kSafeDistance = 2.05;
 
 struct Level {
   SwitchingState state;

@@ -6,32 +6,19 @@
 #include <cmath>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/rebo2/angular_spline.h"
+#include "nanocarbon/rebo2/coordination_tables.h"
+#include "nanocarbon/rebo2/pair_terms.h"
+#include "nanocarbon/rebo2/sp2_constants.h"
 
 namespace nanocarbon {
 
 namespace {
 
-// Carbon-carbon constants of REBO2 (Brenner et al. 2002, tables 2 and 3).
-constexpr double kQ = 0.3134602960833, kA = 10953.544162170, kAlpha = 4.7465390606595;
-constexpr std::array<double, 3> kB = {12388.79197798, 17.56740646509, 30.71493208065};
-constexpr std::array<double, 3> kBeta = {4.7204523127, 1.4332132499, 1.3826912506};
-constexpr double kTorsion = -0.004048;  // T_CC(2, 2, k), k = 2..9
-
-struct Value {
-  double f, slope;
-};
-
-Value angular(double cosine) {
-  static constexpr double knots[3] = {-0.6666666667, -0.5, -0.3333333333};
-  static constexpr double coefficients[4][6] = {
-      {0.2816950000, 1.0627430000, 2.1363075000, 2.5334145000, 1.5544035000, 0.3862485000},
-      {0.2827390000, 1.0718770000, 2.1681365000, 2.5885710000, 1.6019100000, 0.4025160000},
-      {0.6900250000, 5.4601600000, 23.0108000000, 54.9086400000, 68.6124000000, 34.7051520000},
-      {0.2718560918, 0.4892740137, -0.4328177539, -0.5616817383, 1.2708702246, -0.0375008379}};
-  const int k = (cosine >= knots[0]) + (cosine >= knots[1]) + (cosine >= knots[2]);
-  const double* c = coefficients[k];
-  return {c[0] + cosine * (c[1] + cosine * (c[2] + cosine * (c[3] + cosine * (c[4] + cosine * c[5])))),
-          c[1] + cosine * (2 * c[2] + cosine * (3 * c[3] + cosine * (4 * c[4] + cosine * 5 * c[5])))};
+// T_CC(2, 2, k), k = 2..9: of bonds between three-coordinated carbons.
+double torsion_constant() {
+  static const double constant = sp2_bond_constants(coordination_tables()).torsion;
+  return constant;
 }
 
 // Directions perpendicular to a bond of the two other bonds at one of its ends (dihedral term).
@@ -69,23 +56,16 @@ void FixedBondRebo2::set_angles(std::size_t atom) {
       continue;
     }
     const double cosine = e[a].x * e[b].x + e[a].y * e[b].y + e[a].z * e[b].z;
-    const Value g = angular(cosine);
-    angle[s] = {cosine, g.f, g.slope, 0};
+    const ValueSlope g = angular_carbon_few(rebo2_parameters().carbon, cosine);
+    angle[s] = {cosine, g.value, g.slope, 0};
   }
 }
 
 double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
   const HalfEdge& edge = edges_[h];
   const double r = edge.length;
-  const double screened = kA * std::exp(-kAlpha * r);
-  const double repulsion = (1 + kQ / r) * screened;
-  const double repulsion_slope = -kQ / (r * r) * screened - kAlpha * repulsion;
-  double attraction = 0, attraction_slope = 0;
-  for (int n = 0; n < 3; ++n) {
-    const double term = -kB[n] * std::exp(-kBeta[n] * r);
-    attraction += term;
-    attraction_slope -= kBeta[n] * term;
-  }
+  const PairParameters& pair = rebo2_parameters().pairs[pair_index(Element::carbon, Element::carbon)];
+  const ValueSlope repulsion = pair_repulsion(pair, r), attraction = pair_attraction(pair, r);
 
   const Vec3 axis(edge.x, edge.y, edge.z);
   double order = 0;
@@ -98,7 +78,7 @@ double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
     const double zeta = 1 + angle[k[0]].g + angle[k[1]].g;
     const double p = 1 / std::sqrt(zeta);
     order += 0.5 * p;
-    const double weight = attraction * 0.5 * -0.5 * p / zeta;
+    const double weight = attraction.value * 0.5 * -0.5 * p / zeta;
     angle[k[0]].weight += weight;
     angle[k[1]].weight += weight;
     for (int n = 0; n < 2; ++n) {
@@ -116,7 +96,7 @@ double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
   if (dihedral) {
     double sum = 4;
     Vec3 on_axis = Vec3::Zero();
-    const double scale = kTorsion * attraction;
+    const double scale = torsion_constant() * attraction.value;
     for (int end = 0; end < 2; ++end) {
       const std::uint32_t half = end == 0 ? h : reverse, atom = half / 3, slot = half % 3;
       const Fan& here = fan[end];
@@ -136,10 +116,10 @@ double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
     own.x += on_axis.x();
     own.y += on_axis.y();
     own.z += on_axis.z();
-    order += kTorsion * sum;
+    order += torsion_constant() * sum;
   }
-  own.length = repulsion_slope + order * attraction_slope;
-  return repulsion + order * attraction;
+  own.length = repulsion.slope + order * attraction.slope;
+  return repulsion.value + order * attraction.value;
 }
 
 double FixedBondRebo2::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
