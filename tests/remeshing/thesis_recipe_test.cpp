@@ -64,7 +64,7 @@ TEST(ThesisRecipe, StaysOnTheSurfaceWhereTheProjectionMeshIsNeverReplaced) {
   options.projection_interval = 0;
   options.iterations = 20;
   options.post_processing = PostProcessing::none;
-  const ThesisResult result = remeshed(test::sheet(1.0, 1.0, 20, 20), 600, options);
+  const ThesisResult result = remeshed(test::sheet(1.0, 1.0, 20, 20), 1600, options);
   EXPECT_GT(result.stellar.splits + result.stellar.collapses, 0u);
   EXPECT_EQ(result.projection_replacements, 0u);
   for (const Vec3& p : result.mesh.points) EXPECT_NEAR(p.z(), 0.0, 1e-9);
