@@ -28,6 +28,14 @@ int penalty_of(const CornerTable& table, const std::array<VertexIndex, 4>& corne
   return sum;
 }
 
+HalfEdge half_edge_between(const CornerTable& table, VertexIndex a, VertexIndex b) {
+  HalfEdge found = no_half_edge;
+  table.for_outgoing(a, [&](HalfEdge h) {
+    if (table.target(h) == b) found = h;
+  });
+  return found;
+}
+
 //! Edges at a vertex and around it.
 std::vector<HalfEdge> edges_near(const CornerTable& table, VertexIndex v) {
   std::vector<HalfEdge> edges;
@@ -57,7 +65,8 @@ bool improve(Tiling& tiling, const std::vector<HalfEdge>& candidates, int owed, 
           for (const HalfEdge k : edges_near(table, v)) near.push_back(k);
       if (improve(tiling, near, owed + change, depth - 1, flips)) return true;
     }
-    table.flip(CornerTable::next(h));
+    // Flips and their undoing exchange the names of half-edges: the edge is found by its ends.
+    table.flip(half_edge_between(table, corners[2], corners[3]));
     --flips;
   }
   return false;
