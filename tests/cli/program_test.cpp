@@ -142,6 +142,15 @@ TEST_F(Program, BuildsAClosedCageByTheThesis) {
   EXPECT_EQ(mesh["vertices"], rings);
 }
 
+TEST_F(Program, TheThesisMeetsTheNumberOfAtomsThoughTheSurfaceShrinks) {
+  const Outcome outcome =
+      run("build " + octahedron() + " --recipe thesis --projection-interval 10 --atoms 4000 -q -o " +
+          path("out.data") + " --report " + path("out.json"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(contents(path("out.json")));
+  EXPECT_NEAR(report["molecule"]["atoms"].get<double>(), 4000, 120);
+}
+
 TEST_F(Program, BuildsAMoleculeAtAMinimumWithNothingToTune) {
   const Outcome outcome =
       run("build " + octahedron() + " --quality draft --atoms 240 -o " + path("out.data") + " --mesh " +

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
+#include <variant>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/mesh_topology.h"
@@ -49,12 +50,18 @@ void require_same_topology(const MeshTopology& surface, const Molecule& molecule
 void build_by_thesis(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
   ThesisOptions thesis = options.thesis;
+  // A number of atoms is met by adjusting the scale on the way; a length or a scale is the user's own.
+  if (std::holds_alternative<AtomCount>(options.size) ||
+      std::holds_alternative<AtomPerTriangle>(options.size))
+    thesis.atoms = result.surface.atoms;
   if (options.progress)
     thesis.progress = [&](const ThesisProgress& p) {
       options.progress("remeshing", static_cast<double>(p.iteration) / p.max_iterations);
     };
   result.thesis = remesh_by_thesis(result.surface.mesh, thesis);
   result.triangulation = std::exchange(result.thesis->mesh, {});
+  result.surface.scale *= result.thesis->scale;
+  for (Vec3& point : result.surface.mesh.points) point *= result.thesis->scale;
   result.seconds.remeshing = stage.lap();
   result.molecule = dual(result.triangulation);
   result.seconds.molecule = stage.lap();
