@@ -1,12 +1,14 @@
 # The tests of pair_style rebo/opt.
 set(comparison ${PROJECT_SOURCE_DIR}/tests/rebo2/comparison_structures.cpp)
 nanocarbon_lammps_test(rebo_opt RANKS 1 2 4 SOURCES ${comparison} LINKS nanocarbon::rebo2)
-nanocarbon_lammps_test(rebo_opt_comparison RANKS 1 LINKS nanocarbon::rebo2
+nanocarbon_lammps_test(rebo_opt_comparison RANKS 1 LINKS nanocarbon::rebo2 nanocarbon::building
                        SOURCES ${comparison} ${PROJECT_SOURCE_DIR}/tests/support/lammps_reference.cpp)
 foreach(test rebo_opt rebo_opt_comparison)
   target_compile_definitions(test_lammps_${test} PRIVATE
     NANOCARBON_CH_REBO="${NANOCARBON_CH_REBO}" NANOCARBON_PLUGIN_FILE="$<TARGET_FILE:nanocarbonplugin>")
 endforeach()
+
+target_compile_definitions(test_lammps_rebo_opt_comparison PRIVATE NANOCARBON_EXAMPLES="${PROJECT_SOURCE_DIR}/examples")
 
 # What rebo/opt must refuse, and what it has to say. LAMMPS ends the program at an error.
 function(rebo_opt_refuses name command message)
