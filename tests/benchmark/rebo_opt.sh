@@ -56,7 +56,7 @@ small=$last_step
 compare "fullerene 10k, 300 K" 50 500 -var from file -var data "$work/molecule.data" -var boundary "f f f"
 large=$(for ((round = 0; round < rounds; ++round)); do run 1 rebo/opt 25 -var nx 294 -var ny 170; done | cut -d' ' -f2 | median)
 echo "rebo/opt, graphene 200k: step $large us, $(ratio "$large" "$small") times that of 10k"
-if [ "$(nproc)" -ge 2 ]; then
+if [ "$(nproc --all)" -ge 2 ]; then  # nproc alone would heed OMP_NUM_THREADS
   for ((round = 0; round < rounds; ++round)); do
     run 1 rebo/opt 50 -var nx 294 -var ny 170 | cut -d' ' -f2 >>"$work/one"
     run 2 rebo/opt 50 -var nx 294 -var ny 170 | cut -d' ' -f2 >>"$work/two"
