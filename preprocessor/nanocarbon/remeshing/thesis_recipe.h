@@ -55,7 +55,7 @@ struct ThesisResult {
 //! line 10 is that of the `short` and `long` which line 4 tests, counted at the end of the iteration before.
 //! Line 6 at i = 0 replaces the projection mesh by the copy it already is. Lines 18 and 19 find empty
 //! priority lists on a mesh that converged. The result has the topology of the surface.
-//! \param surface Angstrom: scaled already (see scale_for_atoms())
+//! \param surface Angstrom: scaled already (see building/size_request.h)
 //! \pre bond lengths are above zero and in order
 //! \throw UserError (unsuitable) where the surface is not an oriented 2-manifold or a point is not finite
 ThesisResult remesh_by_thesis(const TriangleMesh& surface, const ThesisOptions& options);
