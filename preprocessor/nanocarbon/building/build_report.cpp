@@ -109,10 +109,8 @@ Json annealed_json(const AnnealResult& r) {
 }
 
 Json certificate_json(const Certificate& c) {
-  return {{"minimum", c.minimum()},
-          {"converged", c.converged},
-          {"max_force", c.max_force},
-          {"smallest_eigenvalues", c.eigenvalues}};
+  return {{"minimum", c.minimum()},       {"max_force", c.max_force}, {"smallest_eigenvalues", c.eigenvalues},
+          {"uncertainty", c.uncertainty}, {"complete", c.complete},   {"saddles_left", c.pushes}};
 }
 
 Json options_json(const BuildResult& result, const BuildOptions& o) {
@@ -226,7 +224,7 @@ std::string report_table(const Json& report) {
     const Json& c = report["certificate"];
     std::string eigenvalues;
     for (const Json& value : c["smallest_eigenvalues"])
-      eigenvalues += fmt::format("{:.4f} ", value.get<double>());
+      eigenvalues += fmt::format("{:.3g} ", value.get<double>());
     line("certificate",
          fmt::format("{}; smallest eigenvalues of the Hessian {}eV/A^2",
                      c["minimum"].get<bool>() ? "a minimum" : "NOT SHOWN TO BE A MINIMUM", eigenvalues));

@@ -9,6 +9,7 @@ namespace nanocarbon {
 struct CertificateOptions {
   double force_tolerance = 1e-6;  //!< eV/Angstrom; the molecule is minimised down to it first
   int eigenvalues = 3;
+  int pushes = 5;  //!< off a saddle, at most
 };
 
 //! What is known of a molecule as a point of the REBO2 energy.
@@ -16,16 +17,22 @@ struct Certificate {
   double energy = 0;                //!< eV
   double max_force = 0;             //!< eV/Angstrom
   std::vector<double> eigenvalues;  //!< the smallest of the Hessian, rigid motions set aside, eV/Angstrom^2
-  bool converged = false;           //!< the eigenvalues, to about 1e-3 eV/Angstrom^2
+  double uncertainty = 0;           //!< of the eigenvalues, eV/Angstrom^2
+  bool complete = false;            //!< no eigenvalue was missed (hessian_spectrum.h)
   bool intact = false;              //!< REBO2 sees exactly the molecule's bonds
+  int pushes = 0;                   //!< saddles that minimisation had ended at and that were left
 
   //! A minimum: at rest, and every deformation costs energy.
   bool minimum(double force_tolerance = 1e-6) const {
-    return converged && max_force < force_tolerance && !eigenvalues.empty() && eigenvalues.front() > 0;
+    return complete && max_force < force_tolerance && !eigenvalues.empty() &&
+           eigenvalues.front() > uncertainty;
   }
 };
 
-//! Minimises a molecule in free space to the tolerance and looks at the Hessian there.
+//! \brief Minimises a molecule in free space to the tolerance and looks at the Hessian there.
+//! \details Where the Hessian has a negative eigenvalue the molecule is pushed along that mode, either way,
+//! and minimised again. Each piece of the molecule may move on its own. \pre no two bonded atoms of a piece
+//! further apart than REBO2's cut-off
 Certificate certify(Molecule& molecule, const CertificateOptions& options = {});
 
 }  // namespace nanocarbon

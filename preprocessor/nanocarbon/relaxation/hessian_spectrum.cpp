@@ -1,97 +1,97 @@
 #include "nanocarbon/relaxation/hessian_spectrum.h"
 
 #include <Spectra/SymEigsSolver.h>
-#include <Eigen/Geometry>
-#include <Eigen/QR>
+
+#include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <cmath>
 
 namespace nanocarbon {
 
 namespace {
 
+using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
-using Basis = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-// Above the stiffest bonds of carbon, eV/Angstrom^2.
-constexpr double kRigidShift = 200;
+// Where the spectrum is inverted, eV/Angstrom^2: off zero, where rigid motions lie, and off likely
+// eigenvalues.
+constexpr double kShift = -1.234e-4;
 
-// Orthonormal translations and infinitesimal rotations.
-Basis rigid_motions(std::span<const Vec3> positions) {
-  Vec3 centre = Vec3::Zero();
-  for (const Vec3& p : positions) centre += p / static_cast<double>(positions.size());
-  Basis basis(static_cast<Eigen::Index>(3 * positions.size()), 6);
-  for (std::size_t a = 0; a < positions.size(); ++a)
-    for (int d = 0; d < 3; ++d) {
-      basis.block<3, 1>(static_cast<Eigen::Index>(3 * a), d) = Vec3::Unit(d);
-      basis.block<3, 1>(static_cast<Eigen::Index>(3 * a), 3 + d) = Vec3::Unit(d).cross(positions[a] - centre);
-    }
-  const Eigen::HouseholderQR<Basis> qr(basis);
-  return qr.householderQ() * Basis::Identity(basis.rows(), 6);
-}
+// L D L^T of a Hessian minus a shift, with fill-reducing order.
+class Factorisation {
+ public:
+  Factorisation(const Matrix& hessian, double shift) {
+    Matrix shifted = hessian;
+    shifted.diagonal().array() -= shift;
+    solver_.compute(shifted);
+  }
+  bool good() const { return solver_.info() == Eigen::Success; }
+  Vector solve(const Vector& right) const { return solver_.solve(right); }
+  // Eigenvalues below the shift: as many as D has negative entries (Sylvester).
+  Eigen::Index below() const { return (solver_.vectorD().array() < 0).count(); }
 
-// The operator that Spectra multiplies with.
-class ShiftedHessian {
+ private:
+  Eigen::SimplicialLDLT<Matrix> solver_;
+};
+
+// What Spectra multiplies with: the inverse on all displacements but rigid ones, which come out as zero.
+class Inverse {
  public:
   using Scalar = double;
-
-  ShiftedHessian(std::span<const Vec3> positions, const EnergyFunction& energy, double step)
-      : positions_(positions), energy_(energy), step_(step), rigid_(rigid_motions(positions)) {}
-
-  Eigen::Index rows() const { return static_cast<Eigen::Index>(3 * positions_.size()); }
-  Eigen::Index cols() const { return rows(); }
-  int evaluations() const { return evaluations_; }
-
+  Inverse(const Factorisation& factors, const RigidMotions& rigid, Eigen::Index size)
+      : factors_(factors), rigid_(rigid), size_(size) {}
+  Eigen::Index rows() const { return size_; }
+  Eigen::Index cols() const { return size_; }
   void perform_op(const double* in, double* out) const {
-    const Eigen::Map<const Vector> x(in, rows());
-    Eigen::Map<Vector> y(out, rows());
-    const Eigen::Matrix<double, 6, 1> rigid_part = rigid_.transpose() * x;
-    const Vector inner = x - rigid_ * rigid_part;
-    const double length = inner.norm();
-    if (length == 0) {
-      y = kRigidShift * (rigid_ * rigid_part);
-      return;
-    }
-    // The farthest-moving atom moves by the step, wherever the vector is concentrated.
-    double farthest = 0;
-    for (Eigen::Index a = 0; a < rows(); a += 3) farthest = std::max(farthest, inner.segment<3>(a).norm());
-    const double scale = step_ / farthest;
-    y = (gradient_at(inner, scale) - gradient_at(inner, -scale)) / (2 * scale);
-    y -= rigid_ * (rigid_.transpose() * y);
-    y += kRigidShift * (rigid_ * rigid_part);
+    Vector x = Eigen::Map<const Vector>(in, size_);
+    rigid_.project_out(x);
+    Vector y = factors_.solve(x);
+    rigid_.project_out(y);
+    Eigen::Map<Vector>(out, size_) = y;
   }
 
  private:
-  Vector gradient_at(const Vector& direction, double scale) const {
-    std::vector<Vec3> moved(positions_.begin(), positions_.end()), gradient(moved.size(), Vec3::Zero());
-    for (std::size_t a = 0; a < moved.size(); ++a)
-      moved[a] += scale * direction.segment<3>(static_cast<Eigen::Index>(3 * a));
-    energy_(moved, gradient);
-    ++evaluations_;
-    return Eigen::Map<const Vector>(gradient[0].data(), rows());
-  }
-
-  std::span<const Vec3> positions_;
-  const EnergyFunction& energy_;
-  double step_;
-  Basis rigid_;
-  mutable int evaluations_ = 0;
+  const Factorisation& factors_;
+  const RigidMotions& rigid_;
+  Eigen::Index size_;
 };
 
 }  // namespace
 
-HessianSpectrum smallest_hessian_eigenvalues(std::span<const Vec3> positions, const EnergyFunction& energy,
-                                             const SpectrumOptions& options) {
-  ShiftedHessian hessian(positions, energy, options.step);
-  const Eigen::Index subspace = std::min<Eigen::Index>(hessian.rows(), 20 * options.count);
-  Spectra::SymEigsSolver<ShiftedHessian> solver(hessian, options.count, subspace);
-  solver.init();
-  solver.compute(Spectra::SortRule::SmallestAlge, options.max_restarts, options.tolerance,
-                 Spectra::SortRule::SmallestAlge);
+HessianSpectrum smallest_eigenvalues(const Matrix& hessian, const RigidMotions& rigid, int count) {
   HessianSpectrum spectrum;
-  spectrum.converged = solver.info() == Spectra::CompInfo::Successful;
-  const Vector values = solver.eigenvalues();
-  spectrum.smallest.assign(values.begin(), values.end());
-  spectrum.evaluations = hessian.evaluations();
+  const Eigen::Index size = hessian.rows(), deformations = size - rigid.count();
+  const Eigen::Index wanted = std::min<Eigen::Index>(count, deformations - 1);
+  const Factorisation factors(hessian, kShift);
+  if (wanted < 1 || !factors.good()) return spectrum;
+  Inverse inverse(factors, rigid, size);
+  Spectra::SymEigsSolver<Inverse> solver(inverse, wanted,
+                                         std::min<Eigen::Index>(deformations, 8 * wanted + 12));
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-9);
+  if (solver.info() != Spectra::CompInfo::Successful) return spectrum;
+
+  const Vector inverted = solver.eigenvalues();
+  const Eigen::MatrixXd modes = solver.eigenvectors();
+  double lowest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < inverted.size(); ++k) {
+    const Vector mode = modes.col(k);
+    const double value = kShift + 1 / inverted[k];
+    spectrum.smallest.push_back(value);
+    spectrum.uncertainty = std::max(spectrum.uncertainty, (hessian * mode - value * mode).norm());
+    if (value < lowest) {
+      lowest = value;
+      spectrum.mode = mode;
+    }
+  }
+  std::sort(spectrum.smallest.begin(), spectrum.smallest.end());
+  rigid.visit([&](const Vector& motion) {
+    spectrum.uncertainty = std::max(spectrum.uncertainty, (hessian * motion).norm());
+  });
+  // Between zero and the first eigenvalue there must be the rigid motions and nothing else.
+  const double bound = lowest > 0 ? 0.5 * lowest : 1.001 * lowest - spectrum.uncertainty;
+  const Factorisation count_below(hessian, bound);
+  spectrum.complete = count_below.good() && count_below.below() == (lowest > 0 ? rigid.count() : 0);
   return spectrum;
 }
 

@@ -1,30 +1,29 @@
 #pragma once
 
-#include <span>
+#include <Eigen/SparseCore>
+#include <cstddef>
 #include <vector>
 
-#include "nanocarbon/relaxation/lbfgs.h"
+#include "nanocarbon/relaxation/rigid_motions.h"
 
 namespace nanocarbon {
 
-struct SpectrumOptions {
-  int count = 3;            //!< eigenvalues wanted
-  double step = 1e-4;       //!< of the force differences, Angstrom
-  double tolerance = 1e-5;  //!< on the eigenvalues, relative to the largest of the Hessian
-  int max_restarts = 200;
-};
-
 struct HessianSpectrum {
-  std::vector<double> smallest;  //!< ascending, eV/Angstrom^2; upper bounds where not converged
-  bool converged = false;
-  int evaluations = 0;  //!< of the energy
+  std::vector<double> smallest;  //!< ascending, rigid motions set aside, eV/Angstrom^2
+  Eigen::VectorXd mode;          //!< the unit displacement that belongs to the first of them
+  //! eV/Angstrom^2: how far the rigid motions' own eigenvalues are from zero, and how well the modes found
+  //! are eigenvectors. Eigenvalues closer to zero than this say nothing.
+  double uncertainty = 0;
+  //! The eigenvalues were found, and there are no others below half of the first positive one, or below the
+  //! first where that is negative: counted, not searched, by Sylvester's law of inertia.
+  bool complete = false;
 };
 
-//! \brief Smallest eigenvalues of the Hessian of an energy, rigid motions set aside.
-//! \details Lanczos with restarts (Spectra) on differences of forces, without ever forming the matrix: a few
-//! hundred evaluations, whatever the size. Translations and rotations are moved to the upper end of the
-//! spectrum. \pre positions at a stationary point, at least three of them and not on one line
-HessianSpectrum smallest_hessian_eigenvalues(std::span<const Vec3> positions, const EnergyFunction& energy,
-                                             const SpectrumOptions& options = {});
+//! \brief The smallest eigenvalues of a Hessian apart from rigid motions.
+//! \details Lanczos (Spectra) on the shifted and inverted matrix, by a sparse factorisation; a second
+//! factorisation counts the eigenvalues below, so that none can have been missed. \param count eigenvalues
+//! wanted
+HessianSpectrum smallest_eigenvalues(const Eigen::SparseMatrix<double>& hessian, const RigidMotions& rigid,
+                                     int count);
 
 }  // namespace nanocarbon

@@ -1,0 +1,132 @@
+"""One row of the suite: a molecule built from a mesh and run in LAMMPS."""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+REFUSED = 6  # exit code of "the size asked for does not fit the shape"
+
+# Minimised as fully as LAMMPS can: conjugate gradients, then FIRE.
+MINIMISATION = """
+units metal
+atom_style molecular
+boundary f f f
+read_data {data}
+special_bonds lj/coul 1.0 1.0 1.0
+mass 1 12.011
+{hydrogen}
+pair_style rebo
+pair_coeff * * {potential} {elements}
+compute coordination all coord/atom cutoff 2.0
+compute fewest all reduce min c_coordination
+compute most all reduce max c_coordination
+thermo_style custom step pe fmax c_fewest c_most
+thermo 1000000
+minimize 0 1e-6 2000 4000
+min_style fire
+minimize 0 1e-6 2000 4000
+print "suite: $(pe:%.10f) $(atoms) $(c_fewest:%.0f) $(c_most:%.0f)"
+"""
+
+
+def run(args, command, screen):
+    """Runs a program with its output in a file. Returns its exit code and CPU seconds."""
+    with open(screen, "w") as out:
+        process = subprocess.Popen([*args.launcher.split(), *map(str, command)], stdout=out,
+                                   stderr=subprocess.STDOUT)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_utime + usage.ru_stime
+
+
+def verdict_of_run(args, data, prefix, temperature):
+    """The verdict of fix bond/topology, or what LAMMPS said instead."""
+    plugin, screen = args.build / "lammps-plugin", f"{prefix}.screen"
+    run(args, [plugin / "lmp-nanocarbon", "-in", args.root / "examples/validate.in", "-log", f"{prefix}.log",
+               "-var", "data", data, "-var", "steps", args.steps, "-var", "temperature", temperature, "-var", "every",
+               1000, "-var", "plugin", plugin / "nanocarbonplugin.so", "-var", "pair", args.pair, "-var", "out",
+               prefix], screen)
+    text = pathlib.Path(screen).read_text(errors="replace")
+    verdict = re.search(r"^verdict: ([a-z ]+), (\d+) atoms repelled", text, re.M)
+    if not verdict:
+        error = re.search(r"^ERROR.*", text, re.M)
+        return error.group(0) if error else "no verdict"
+    return verdict.group(1) + (f", {verdict.group(2)} repelled" if verdict.group(2) != "0" else "")
+
+
+def lammps_energy(args, data, prefix, row, energy_per_atom):
+    """Adds how far LAMMPS's minimum lies from the program's."""
+    potential = pathlib.Path("/usr/share/lammps/potentials/CH.rebo")
+    hydrogen = re.search(r"^\s*2 atom types", data.read_text(), re.M)
+    script = MINIMISATION.format(data=data, potential=potential if potential.exists() else "CH.rebo",
+                                 hydrogen="mass 2 1.008" if hydrogen else "", elements="C H" if hydrogen else "C")
+    source, screen = pathlib.Path(f"{prefix}-minimum.in"), pathlib.Path(f"{prefix}-minimum.screen")
+    source.write_text(script)
+    run(args, [args.build / "lammps-plugin/lmp-nanocarbon", "-in", source, "-log", "none"], screen)
+    found = re.search(r"^suite: (\S+) (\d+) (\d+) (\d+)", screen.read_text(errors="replace"), re.M)
+    if not found:
+        row["failure"] = "LAMMPS did not minimise it"
+        return
+    row["lammps_minus_own_meV"] = 1000 * (float(found.group(1)) / int(found.group(2)) - energy_per_atom)
+    row["lammps_intact"] = f"{found.group(3)}-{found.group(4)} bonds"
+
+
+def facts_of(report):
+    molecule, bonds = report["molecule"], report["bond_lengths"]
+    rings = {int(size): count for size, count in molecule["rings_by_size"].items()}
+    distance = report["distance"]["atoms_to_surface"]
+    facts = {
+        "atoms": molecule["atoms"],
+        "pentagons": rings.get(5, 0),
+        "heptagons": rings.get(7, 0),
+        "other_rings": sum(count for size, count in rings.items() if not 5 <= size <= 7),
+        "percent_defects": 100 * (1 - rings.get(6, 0) / sum(rings.values())),
+        "bond_min": bonds["min"],
+        "bond_max": bonds["max"],
+        "bond_cv": bonds["standard_deviation"] / bonds["mean"],
+        "angle_sd": report["bond_angles"]["standard_deviation"],
+        "distance_mean": distance["mean"],
+        "distance_max": distance["max"],
+    }
+    if "annealing" in report:
+        facts["meV_above_graphene"] = 1000 * report["annealing"]["above_graphene"]
+    return facts
+
+
+def build(args, mesh, prefix, atoms):
+    """Exit code, CPU seconds, and what the program said."""
+    screen = pathlib.Path(f"{prefix}.build")
+    code, seconds = run(args, [args.build / "preprocessor/cli/nanocarbon", "build", mesh, "-o", f"{prefix}.data",
+                               "--quiet", "--report", f"{prefix}.json", "--atoms", atoms, *args.options], screen)
+    said = screen.read_text(errors="replace").strip()
+    reason = said.splitlines()[-1] if said else "no message"
+    return code, seconds, reason.replace("nanocarbon: ", "").replace(f"{mesh}: ", "")
+
+
+def row_of(args, mesh):
+    prefix, atoms = args.out / mesh.stem, args.atoms
+    row = {"mesh": mesh.stem, "atoms_asked": atoms}
+    code, seconds, reason = build(args, mesh, prefix, atoms)
+    larger = re.search(r"--atoms (\d+) or more", reason)
+    if code == REFUSED and larger and args.follow_refusals:
+        row["refusal"] = f"refused at {atoms}: {reason}"
+        atoms = row["atoms_asked"] = int(larger.group(1))
+        prefix = args.out / f"{mesh.stem}-{atoms}"
+        code, seconds, reason = build(args, mesh, prefix, atoms)
+        if code != 0:
+            reason = f"though named as large enough: {reason}"
+    if code != 0:
+        row["failure"] = f"exit {code}: {reason}"
+        return row
+    report = json.loads(pathlib.Path(f"{prefix}.json").read_text())
+    row.update(facts_of(report), cpu_seconds=seconds)
+    data = pathlib.Path(f"{prefix}.data")
+    if args.lammps_energy and "annealing" in report:
+        lammps_energy(args, data, prefix, row, report["annealing"]["energy_per_atom"])
+    if args.steps > 0:
+        row["from_rest"] = verdict_of_run(args, data, f"{prefix}-rest", 0)
+        # As it was after the run from rest.
+        row["at_600K"] = verdict_of_run(args, f"{prefix}-rest-after.data", f"{prefix}-hot", 600)
+    return row

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""The suite on a folder of two shapes, one of them too thin at first: run_test.py NANOCARBON BUILD_FOLDER"""
+
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROGRAM, BUILD = (pathlib.Path(word) for word in sys.argv[1:3])
+
+
+class Suite(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.folder.name)
+        (folder / "meshes").mkdir()
+        for shape, sizes in (("sphere", []), ("torus", ["--major", "3", "--minor", "0.4"])):
+            subprocess.run([PROGRAM, "make", "mesh", shape, *sizes, "-o", folder / "meshes" / f"{shape}.off"],
+                           check=True, capture_output=True)
+        command = [sys.executable, HERE / "run.py", folder / "meshes", "--build", BUILD, "--out", folder / "out",
+                   "--atoms", "200", "--steps", "20", "--jobs", "2", "--follow-refusals", "--lammps-energy", "--resume",
+                   "--", "--quality", "draft"]
+        cls.first = subprocess.run(command, capture_output=True, text=True, check=True)
+        made = (folder / "out/sphere.data").stat().st_mtime_ns
+        cls.second = subprocess.run(command, capture_output=True, text=True, check=True)
+        cls.made_again = (folder / "out/sphere.data").stat().st_mtime_ns != made
+        with open(folder / "out/suite.tsv", encoding="utf-8") as table:
+            cls.rows = {row["mesh"]: row for row in csv.DictReader(table, delimiter="\t")}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_every_mesh_has_a_row_and_a_molecule_that_holds(self):
+        self.assertEqual(set(self.rows), {"sphere", "torus"})
+        for row in self.rows.values():
+            self.assertEqual(row["failure"], "")
+            self.assertEqual((row["from_rest"], row["at_600K"]), ("intact", "intact"))
+
+    def test_topology_shows_in_the_rings(self):
+        for mesh, euler in (("sphere", 2), ("torus", 0)):
+            row = self.rows[mesh]
+            self.assertEqual(int(row["pentagons"]) - int(row["heptagons"]), 6 * euler)
+
+    def test_energies_are_those_of_lammps(self):
+        for row in self.rows.values():
+            self.assertLess(abs(float(row["lammps_minus_own_meV"])), 0.1)
+            self.assertEqual(row["lammps_intact"], "3-3 bonds")
+
+    def test_a_refused_shape_is_built_at_the_size_named(self):
+        self.assertIn("thin part", self.rows["torus"]["refusal"])
+        self.assertGreater(int(self.rows["torus"]["atoms"]), 200)
+        self.assertEqual(self.rows["sphere"]["refusal"], "")
+
+    def test_what_is_done_is_not_done_again(self):
+        self.assertFalse(self.made_again)
+        self.assertEqual(self.first.stdout, self.second.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
