@@ -101,6 +101,10 @@ void add_thesis_options(CLI::App& sub, BuildCommand& c) {
       ->add_option("--local-threshold", c.local_threshold,
                    "Percentage of edges outside the interval below which optimisation is local, s (5)")
       ->check(CLI::Range(0.0, 100.0));
+  add_choice(*group, "--visited", c.visited,
+             {{"either", VisitedMarks::either_end}, {"both", VisitedMarks::both_ends}},
+             "A stellar operation leaves an edge alone when either end was touched before (default), or only "
+             "when both were, as Algorithm 3 prints it, which does not converge");
 }
 
 }  // namespace
@@ -134,6 +138,7 @@ ThesisOptions thesis_options(const BuildCommand& c) {
   if (c.rings) options.rings = *c.rings;
   if (c.projection_interval) options.projection_interval = *c.projection_interval;
   if (c.local_threshold) options.local_threshold = *c.local_threshold;
+  if (c.visited) options.marks = *c.visited;
   if (!(options.min_bond < options.max_bond))
     throw UserError(Failure::usage, fmt::format("--min-bond {} is not below --max-bond {}: give an interval",
                                                 options.min_bond, options.max_bond));

@@ -21,6 +21,7 @@ struct BuildCommand {
   std::optional<double> length, scale;
   std::optional<double> min_bond, max_bond, local_threshold;
   std::optional<unsigned> iterations, rings, projection_interval;
+  std::optional<VisitedMarks> visited;
   AtomStyle atom_style = AtomStyle::molecular;
   double margin = 10.0;
   BuildOptions build;

@@ -118,7 +118,8 @@ void add_junction(CLI::App& mesh) {
   length(mesh, "junction", "--arm-length", shape.arm_length, "From the middle to the end of each arm");
   length(mesh, "junction", "--blend", shape.blend, "Width over which the crease between arms is rounded");
   length(mesh, "junction", "--edge", shape.edge, "Length of the edges of its triangles");
-  sub.add_flag("!--closed", shape.open, "Round ends, instead of borders");
+  sub.add_flag_callback(
+      "--closed", [&shape] { shape.open = false; }, "Round ends, instead of borders");
 }
 
 void add_minimal_surface(CLI::App& mesh, const char* name, const char* description,

@@ -127,7 +127,8 @@ Json options_json(const BuildResult& result, const BuildOptions& o) {
                  {"iterations", o.thesis.iterations},
                  {"rings", o.thesis.rings},
                  {"projection_interval", o.thesis.projection_interval},
-                 {"local_threshold", o.thesis.local_threshold}});
+                 {"local_threshold", o.thesis.local_threshold},
+                 {"visited", o.thesis.marks == VisitedMarks::either_end ? "either" : "both"}});
   }
   json.update({{"threads", o.threads}, {"seed", o.seed}});
   return json;

@@ -16,8 +16,9 @@ struct ReportContext {
 };
 
 //! \brief Everything worth knowing about a molecule and its making, as JSON.
-//! \details Lengths in Angstrom, angles in degrees, times in seconds. Keys are documented in README.md.
-//! Nothing but the times and thread count depends on anything but input, options and seed.
+//! \details Lengths in Angstrom, angles in degrees, times in seconds. Keys are documented in
+//! preprocessor/doc/report.md. Nothing but the times and thread count depends on anything but input, options
+//! and seed.
 nlohmann::ordered_json build_report(const BuildResult& result, const BuildOptions& options,
                                     const ReportContext& context);
 
