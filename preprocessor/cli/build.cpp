@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "build_command.h"
 #include "command_text.h"
@@ -25,8 +28,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // An output that cannot be written is better known before the work than after it.
-void require_writable_folder(const fs::path& output) {
+void require_writable(const fs::path& output) {
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+  if (output.empty()) throw UserError(Failure::usage, "an output file has an empty name: name it");
   if (!fs::is_directory(folder))
     throw UserError(Failure::unwritable,
                     fmt::format("{}: cannot be written: there is no folder {}; create it first",
@@ -36,16 +40,61 @@ void require_writable_folder(const fs::path& output) {
                     fmt::format("{}: cannot be written: it is a folder", output.string()));
 }
 
+// No output may overwrite the mesh or another output.
+void require_different_files(const BuildCommand& command, const std::vector<fs::path>& outputs) {
+  std::map<fs::path, std::string> taken{{fs::weakly_canonical(command.mesh), "the mesh"}};
+  for (const fs::path& output : outputs) {
+    if (fs::exists(output) && !fs::is_regular_file(output)) continue;  // such as /dev/stdout
+    const auto [other, is_new] = taken.emplace(fs::weakly_canonical(output), "another output");
+    if (!is_new)
+      throw UserError(Failure::usage, fmt::format("{}: is the file of {} too; give each output its own",
+                                                  output.string(), other->second));
+  }
+}
+
+void require_outputs(const BuildCommand& command) {
+  std::vector<fs::path> outputs{command.data};
+  for (const auto& output : {command.xyz, command.triangulation, command.report})
+    if (output) outputs.push_back(*output);
+  for (const fs::path& output : outputs) require_writable(output);
+  require_different_files(command, outputs);
+  if (command.triangulation) format_to_write(*command.triangulation);
+}
+
+// The errors of building do not know the file.
+BuildResult build_naming_the_file(const std::string& file, const TriangleMesh& surface,
+                                  const BuildOptions& options) {
+  try {
+    return build_molecule(surface, options);
+  } catch (const UserError& error) {
+    throw UserError(error.failure(), fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+void write_outputs(const BuildCommand& command, const BuildResult& result,
+                   const nlohmann::ordered_json& report) {
+  const std::string made_by = fmt::format("{} (nanocarbon {})", command.command_line, version);
+  OutputFiles files;
+  files.add(command.data, [&](std::ostream& out) {
+    write_lammps_data(out, result.molecule, {command.atom_style, command.margin, made_by});
+  });
+  if (command.xyz)
+    files.add(*command.xyz, [&](std::ostream& out) { write_xyz(out, result.molecule, made_by); });
+  if (command.triangulation) {
+    const double edge = std::sqrt(3.0);  // of the triangulation, in bonds
+    const ThesisOptions& interval = command.build.thesis;
+    const MeshColours colours =
+        colours_by_quality(result.triangulation, edge * interval.min_bond, edge * interval.max_bond);
+    files.add(*command.triangulation, [&](std::ostream& out) {
+      write_mesh(out, format_to_write(*command.triangulation), result.triangulation, {.colours = &colours});
+    });
+  }
+  if (command.report) files.add(*command.report, [&](std::ostream& out) { out << report.dump(2) << '\n'; });
+  files.publish();
+}
+
 void run(BuildCommand& command) {
-  for (const std::optional<fs::path>& output :
-       {std::optional(command.data), command.xyz, command.triangulation, command.report})
-    if (output) require_writable_folder(*output);
-
-  const LoadedSurface surface = load_surface(command.mesh);
-  if (!command.common.quiet)
-    for (const std::string& repair : surface.repairs)
-      fmt::print(stderr, "nanocarbon: note: {}: {}\n", command.mesh, repair);
-
+  require_outputs(command);
   BuildOptions& options = command.build;
   options.thesis = thesis_options(command);
   options.threads = command.common.threads;
@@ -54,24 +103,23 @@ void run(BuildCommand& command) {
   if (command.length) options.size = LongestSide{*command.length};
   if (command.scale) options.size = UnitScale{*command.scale};
 
+  const LoadedSurface surface = load_surface(command.mesh);
+  const auto tell = [&](const char* kind, const std::vector<std::string>& facts) {
+    if (command.common.quiet) return;
+    for (const std::string& fact : facts)
+      fmt::print(stderr, "nanocarbon: {}: {}: {}\n", kind, command.mesh, fact);
+  };
+  tell("note", surface.repairs);
+  tell("warning", surface.warnings);
+
   BuildResult result;
   {
     ProgressBar bar(command.common.quiet);
     options.progress = [&](std::string_view stage, double fraction) { bar.show(stage, fraction); };
-    result = build_molecule(surface.mesh, options);
+    result = build_naming_the_file(command.mesh, surface.mesh, options);
   }
-
   const auto report = build_report(result, options, {command.command_line, command.mesh, surface.repairs});
-  const std::string made_by = fmt::format("{} (nanocarbon {})", command.command_line, version);
-  write_lammps_data(command.data, result.molecule, {command.atom_style, command.margin, made_by});
-  if (command.xyz) write_xyz(*command.xyz, result.molecule, made_by);
-  if (command.triangulation) {
-    const double edge = std::sqrt(3.0);  // of the triangulation, in bonds
-    const MeshColours colours = colours_by_quality(result.triangulation, edge * options.thesis.min_bond,
-                                                   edge * options.thesis.max_bond);
-    write_mesh(*command.triangulation, result.triangulation, {.colours = &colours});
-  }
-  if (command.report) write_file(*command.report, [&](std::ostream& out) { out << report.dump(2) << '\n'; });
+  write_outputs(command, result, report);
   if (!command.common.quiet) fmt::print("{}\n{}", command.data.string(), report_table(report));
 }
 
@@ -87,7 +135,8 @@ void add_build(CLI::App& app) {
   sub.add_option("-o,--output", c.data, "LAMMPS data file to write")->required()->type_name("FILE");
   add_build_options(sub, c);
   add_common_options(sub, c.common);
-  sub.footer(R"(Examples:
+  sub.footer(R"(--recipe thesis and its forerunners draw nothing at random: --seed changes nothing there.
+Examples:
   nanocarbon build torus.off -o torus.data --atoms 2000
   nanocarbon build part.stl -o part.data --length 80 --report part.json --xyz part.xyz
   nanocarbon build bunny.off -o bunny.data --atoms 10000 --recipe thesis --projection-interval 10 --local-threshold 5
@@ -95,6 +144,7 @@ Then, in LAMMPS:
   lmp -in examples/validate.in -var data torus.data)");
   sub.callback([command, &sub] {
     command->command_line = command_text(sub);
+    require_options_of_recipe(sub, command->build.recipe);
     run(*command);
   });
 }

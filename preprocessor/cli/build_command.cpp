@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include "nanocarbon/core/error.h"
+#include "number_checks.h"
 
 namespace nanocarbon {
 namespace {
@@ -24,11 +27,10 @@ void add_choice(CLI::App& app, const std::string& option, Value& value,
 void add_size_options(CLI::App& sub, BuildCommand& c) {
   auto* size =
       sub.add_option_group("Size", "One of these; without any, an atom for each triangle of the mesh");
-  size->add_option("--atoms", c.atoms, "Number of atoms, met within a few percent")
-      ->check(CLI::PositiveNumber);
-  size->add_option("--length", c.length, "Longest side of the bounding box, Angstrom")
-      ->check(CLI::PositiveNumber);
-  size->add_option("--scale", c.scale, "Angstrom for each mesh unit")->check(CLI::PositiveNumber);
+  size->add_option("--atoms", c.atoms, "Number of atoms, met within a few percent where the shape allows")
+      ->check(above_zero());
+  size->add_option("--length", c.length, "Longest side of the bounding box, Angstrom")->check(above_zero());
+  size->add_option("--scale", c.scale, "Angstrom for each mesh unit")->check(above_zero());
   size->require_option(0, 1);
 }
 
@@ -40,7 +42,7 @@ void add_output_options(CLI::App& sub, BuildCommand& c) {
               {"full", AtomStyle::full}},
              "LAMMPS atom style: atomic, charge, molecular (default) or full");
   sub.add_option("--margin", c.margin, "Empty box around the atoms, Angstrom")
-      ->check(CLI::NonNegativeNumber)
+      ->check(between(0.0, 1e6))
       ->capture_default_str();
   sub.add_option("--xyz", c.xyz, "Also write extended XYZ")->type_name("FILE");
   sub.add_option(
@@ -68,39 +70,38 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
   group
       ->add_option("--bond-length", c.build.bond_length,
                    "Bond length that the size is reckoned with, Angstrom")
-      ->check(CLI::Range(1.0, 2.0))
+      ->check(between(1.0, 2.0))
       ->capture_default_str();
   group
       ->add_option(
           "--tether", c.build.tether,
           "Stiffness that holds atoms to the surface while annealing, eV/Angstrom^2: fidelity for energy")
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   group->add_option("--max-force", c.build.force_tolerance, "Largest force left at the end, eV/Angstrom")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   group->add_flag("--certify", c.build.certify,
                   "Prove that the molecule is at a minimum: forces below 1e-6 eV/Angstrom, Hessian positive");
   group->add_flag(
       "--force", c.build.force,
-      "Go on where the shape's features ask for more atoms, and keep a molecule that does not hold");
+      "Go on where the shape's features ask for more atoms, and keep a molecule that does not hold or is no "
+      "longer the shape");
 }
 
 void add_thesis_options(CLI::App& sub, BuildCommand& c) {
   auto* group = sub.add_option_group("Thesis", "Parameters of the thesis and its forerunners");
-  group->add_option("--min-bond", c.min_bond, "Shortest bond wanted, Angstrom (1.2)")
-      ->check(CLI::PositiveNumber);
-  group->add_option("--max-bond", c.max_bond, "Longest bond wanted, Angstrom (1.8)")
-      ->check(CLI::PositiveNumber);
-  group->add_option("--iterations", c.iterations, "Most iterations, n (150)")->check(CLI::NonNegativeNumber);
-  group->add_option("--rings", c.rings, "Rings of the low-pass filter, k (2)")->check(CLI::Range(1, 10));
+  group->add_option("--min-bond", c.min_bond, "Shortest bond wanted, Angstrom (1.2)")->check(above_zero());
+  group->add_option("--max-bond", c.max_bond, "Longest bond wanted, Angstrom (1.8)")->check(above_zero());
+  group->add_option("--iterations", c.iterations, "Most iterations, n (150)")->check(zero_or_more());
+  group->add_option("--rings", c.rings, "Rings of the low-pass filter, k (2)")->check(between(1, 10));
   group
       ->add_option("--projection-interval", c.projection_interval,
                    "Iterations between replacements of the projection mesh, p (10); 0: never")
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   group
       ->add_option("--local-threshold", c.local_threshold,
                    "Percentage of edges outside the interval below which optimisation is local, s (5)")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(between(0.0, 100.0));
   add_choice(*group, "--visited", c.visited,
              {{"either", VisitedMarks::either_end}, {"both", VisitedMarks::both_ends}},
              "A stellar operation leaves an edge alone when either end was touched before (default), or only "
@@ -114,6 +115,22 @@ void add_build_options(CLI::App& subcommand, BuildCommand& command) {
   add_output_options(subcommand, command);
   add_recipe_options(subcommand, command);
   add_thesis_options(subcommand, command);
+}
+
+void require_options_of_recipe(const CLI::App& subcommand, Recipe recipe) {
+  const auto refuse = [&](const std::vector<std::string>& options, const std::string& reason) {
+    for (const std::string& option : options)
+      if (subcommand.get_option(option)->count() > 0)
+        throw UserError(Failure::usage, fmt::format("{} does nothing with --recipe {} ({}): leave it out",
+                                                    option, name(recipe), reason));
+  };
+  if (recipe == Recipe::annealed) {
+    refuse({"--iterations", "--rings", "--projection-interval", "--local-threshold", "--visited"},
+           "it is of --recipe thesis and its forerunners");
+    return;
+  }
+  refuse({"--bond-length"}, "its bonds are in the middle of --min-bond and --max-bond");
+  refuse({"--quality", "--tether", "--max-force", "--certify"}, "it neither anneals nor minimises");
 }
 
 ThesisOptions thesis_options(const BuildCommand& c) {

@@ -32,6 +32,10 @@ struct BuildCommand {
 //! Adds what is not in common_options.h. \p command must outlive the app.
 void add_build_options(CLI::App& subcommand, BuildCommand& command);
 
+//! \throw UserError (usage) where an option was given that the recipe has no use for: whoever asks for a
+//! certificate must not take silence for one
+void require_options_of_recipe(const CLI::App& subcommand, Recipe recipe);
+
 //! \brief The parameters of the thesis that a command line asks for: the recipe's own, then those given.
 //! \throw UserError (usage) for an interval that is none
 ThesisOptions thesis_options(const BuildCommand& command);

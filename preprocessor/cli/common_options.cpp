@@ -1,13 +1,17 @@
 #include "common_options.h"
 
+#include "number_checks.h"
+
 namespace nanocarbon {
 
 void add_common_options(CLI::App& subcommand, CommonOptions& options) {
   subcommand.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
   subcommand.add_option("--threads", options.threads, "Threads to use")
-      ->check(CLI::Range(1, 1024))
+      ->check(between(1, 1024))
       ->capture_default_str();
-  subcommand.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
+  subcommand.add_option("--seed", options.seed, "Seed of everything random")
+      ->check(zero_or_more())
+      ->capture_default_str();
 }
 
 }  // namespace nanocarbon

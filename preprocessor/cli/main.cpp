@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <string>
+#include <vector>
 
 #include "build.h"
 #include "energy.h"
@@ -12,6 +17,17 @@
 #include "nanocarbon/core/version.h"
 
 namespace {
+
+// CLI11 says only that a subcommand is missing.
+void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : app.get_subcommands({})) names.push_back(subcommand->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  throw nanocarbon::UserError(
+      nanocarbon::Failure::usage,
+      fmt::format("there is no subcommand '{}'; there are {}", argv[1], fmt::join(names, ", ")));
+}
 
 int run(int argc, char** argv) {
   CLI::App app("Carbon molecules from triangle meshes, ready for LAMMPS.", "nanocarbon");
@@ -23,6 +39,10 @@ int run(int argc, char** argv) {
   nanocarbon::add_build(app);
   nanocarbon::add_make(app);
   nanocarbon::add_energy(app);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("nanocarbon: error: {}\nRun with --help for more information.\n", error.what());
+  });
+  require_known_subcommand(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {
@@ -36,11 +56,15 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is a write error like a full disk
   try {
     return run(argc, argv);
   } catch (const nanocarbon::UserError& error) {
     fmt::print(stderr, "nanocarbon: error: {}\n", error.what());
     return static_cast<int>(error.failure());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "nanocarbon: error: there is not enough memory; ask for fewer atoms\n");
+    return static_cast<int>(nanocarbon::Failure::size);
   } catch (const std::exception& error) {
     fmt::print(stderr, "nanocarbon: internal error: {} (please report this)\n", error.what());
     return 70;

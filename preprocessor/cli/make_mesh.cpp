@@ -6,6 +6,7 @@
 #include "make_output.h"
 #include "nanocarbon/structures/implicit_shapes.h"
 #include "nanocarbon/structures/shapes.h"
+#include "number_checks.h"
 
 namespace nanocarbon {
 namespace {
@@ -30,7 +31,7 @@ std::shared_ptr<ShapeCommand<Shape>> add_shape(CLI::App& mesh, const char* name,
 void length(CLI::App& mesh, const char* shape, const char* option, double& value, const char* description) {
   mesh.get_subcommand(shape)
       ->add_option(option, value, std::string(description) + ", mesh units")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
 }
 
@@ -44,7 +45,7 @@ void add_sphere(CLI::App& mesh) {
   length(mesh, "sphere", "--radius", c->shape.radius, "Radius");
   mesh.get_subcommand("sphere")
       ->add_option("--subdivisions", c->shape.subdivisions, "Parts S of each edge of an icosahedron")
-      ->check(CLI::Range(1, 1000))
+      ->check(between(1, 1000))
       ->capture_default_str();
 }
 
@@ -91,9 +92,7 @@ void add_helix(CLI::App& mesh) {
   length(mesh, "helix", "--pitch", c->shape.pitch, "Rise in one turn");
   length(mesh, "helix", "--edge", c->shape.edge, "Length of the edges of its triangles");
   CLI::App& sub = *mesh.get_subcommand("helix");
-  sub.add_option("--turns", c->shape.turns, "Number of turns")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  sub.add_option("--turns", c->shape.turns, "Number of turns")->check(above_zero())->capture_default_str();
   sub.add_flag("--open", c->shape.open, "Borders at both ends, instead of round ends");
 }
 
@@ -130,12 +129,12 @@ void add_minimal_surface(CLI::App& mesh, const char* name, const char* descripti
   length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
   CLI::App& sub = *mesh.get_subcommand(name);
   sub.add_option("--cells", c->shape.cells, "Edge of the cube that it is cut out of, in periods")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   sub.add_option("--thickness", c->shape.thickness,
                  "Close it: the surface of a shell this thick around it, mesh units (0: the surface itself, "
                  "with borders)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(zero_or_more())
       ->capture_default_str();
 }
 

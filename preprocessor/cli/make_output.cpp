@@ -14,6 +14,7 @@
 #include "nanocarbon/molecule/bond_statistics.h"
 #include "nanocarbon/molecule/lammps_data.h"
 #include "nanocarbon/molecule/xyz.h"
+#include "number_checks.h"
 
 namespace nanocarbon {
 namespace {
@@ -49,7 +50,7 @@ void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output) {
       ->capture_default_str();
   subcommand
       .add_option("--margin", output.margin, "Empty box around the atoms where it is not periodic, Angstrom")
-      ->check(CLI::NonNegativeNumber)
+      ->check(zero_or_more())
       ->capture_default_str();
   subcommand.add_flag("-q,--quiet", output.quiet, "Print nothing but errors");
 }

@@ -14,6 +14,7 @@
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/onion.h"
 #include "nanocarbon/structures/schwarzite.h"
+#include "number_checks.h"
 
 namespace nanocarbon {
 namespace {
@@ -27,7 +28,7 @@ std::array<int, 3> three(const std::vector<int>& cells) {
 void add_cells(CLI::App& sub, std::vector<int>& cells) {
   sub.add_option("--cells", cells, "Unit cells along each edge: one number for all, or three")
       ->expected(1, 3)
-      ->check(CLI::Range(1, 200))
+      ->check(between(1, 200))
       ->capture_default_str();
   sub.parse_complete_callback([&cells] {
     if (cells.size() == 2)
@@ -52,13 +53,13 @@ void add_make_graphene(CLI::App& make) {
       ->add_option("--size", c->size,
                    "Lengths of a periodic sheet along zigzag (x) and armchair (y), Angstrom")
       ->expected(2)
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   shape->add_option("--cells", c->cells, "Rectangular cells of 4 atoms along x and y, instead")
       ->expected(2)
-      ->check(CLI::Range(1, 20000));
+      ->check(between(1, 20000));
   shape->add_option("--flake", c->flake, "A flake in free space of this radius, Angstrom, instead")
-      ->check(CLI::Range(1.5, 5000.0));
+      ->check(between(1.5, 5000.0));
   shape->require_option(0, 1);
   sub.add_flag("--hydrogen", c->hydrogen, "Saturate the rim of a flake with hydrogen");
   add_molecule_output(sub, c->output);
@@ -80,10 +81,10 @@ void add_make_fullerene(CLI::App& make) {
   };
   CLI::App& sub = *make.add_subcommand("fullerene", "An icosahedral fullerene, by its Goldberg pair");
   const auto c = std::make_shared<Command>();
-  sub.add_option("H", c->h, "First Goldberg index")->required()->check(CLI::NonNegativeNumber);
+  sub.add_option("H", c->h, "First Goldberg index")->required()->check(zero_or_more());
   sub.add_option("K", c->k, "Second Goldberg index; it has 20 (H^2 + H K + K^2) atoms")
       ->required()
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   add_molecule_output(sub, c->output);
   sub.footer(
       R"(C20 is 1 0, C60 is 1 1, C80 is 2 0, C140 is 2 1 (and its mirror image 1 2), C240 is 2 2, C540 is 3 3.
@@ -100,11 +101,9 @@ void add_make_onion(CLI::App& make) {
   };
   CLI::App& sub = *make.add_subcommand("onion", "Icosahedral fullerenes (k, k) around each other");
   const auto c = std::make_shared<Command>();
-  sub.add_option("--shells", c->shells, "How many fullerenes")
-      ->check(CLI::Range(1, 60))
-      ->capture_default_str();
+  sub.add_option("--shells", c->shells, "How many fullerenes")->check(between(1, 60))->capture_default_str();
   sub.add_option("--innermost", c->innermost, "k of the innermost one: 1 is C60, 2 is C240, ...")
-      ->check(CLI::Range(1, 400))
+      ->check(between(1, 400))
       ->capture_default_str();
   add_molecule_output(sub, c->output);
   sub.footer(

@@ -9,6 +9,7 @@
 #include "nanocarbon/molecule/hydrogens.h"
 #include "nanocarbon/structures/capped_tube.h"
 #include "nanocarbon/structures/tube.h"
+#include "number_checks.h"
 
 namespace nanocarbon {
 namespace {
@@ -45,14 +46,14 @@ void add_make_tube(CLI::App& make) {
   const auto c = std::make_shared<TubeCommand>();
   sub.add_option("N", c->n, "First Hamada index; (n, n) is armchair, (n, 0) zigzag")
       ->required()
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   sub.add_option("M", c->m, "Second Hamada index; (n, m) and (m, n) are mirror images")
       ->required()
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   sub.add_option(
          "--length", c->length,
          "Length, Angstrom; of a periodic tube rounded to whole periods, of a capped one without its caps")
-      ->check(CLI::Range(0.1, 1e7))
+      ->check(between(0.1, 1e7))
       ->capture_default_str();
   sub.add_option("--ends", c->ends,
                  "hydrogen (cut straight and saturated), open (left with dangling bonds), periodic, or "

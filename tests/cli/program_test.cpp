@@ -92,8 +92,80 @@ TEST_F(Program, EachKindOfFailureHasItsExitCodeAndLeavesNoFile) {
   EXPECT_EQ(build(moebius_edge).exit_code, 5);
   EXPECT_EQ(build(sound).exit_code, 6);
   EXPECT_EQ(build(sound + " --atoms 1000000000000000").exit_code, 6);
+  EXPECT_EQ(build(sound + " --atoms 3900000000").exit_code, 6);  // more than a terabyte
   EXPECT_EQ(run("build " + sound + " --atoms 100 -o " + path("none/out.data")).exit_code, 7);
   EXPECT_FALSE(fs::exists(path("out.data")));
+}
+
+TEST_F(Program, OptionsThatMakeNoSenseAreRefusedBeforeAnyWork) {
+  const std::string build = "build " + octahedron() + " -o " + path("out.data");
+  for (const std::string options :
+       {" --atoms 0", " --atoms -5", " --length nan", " --scale 0", " --margin nan", " --margin 1e300",
+        " --threads 0", " --seed -1", " --recipe thesis --local-threshold nan",
+        // Of another recipe than the one asked for.
+        " --recipe thesis --certify", " --recipe thesis --quality best", " --recipe thesis --bond-length 1.4",
+        " --rings 3", " --iterations 10",
+        // Files that would be lost.
+        " --xyz {out.data}", " --xyz {./out.data}", " --xyz {octahedron.off}", " --xyz ''",
+        " --mesh {mesh.xyz}"}) {
+    std::string line = build + options;
+    if (const auto open = line.find('{'); open != std::string::npos) {
+      const std::string name = line.substr(open + 1, line.find('}') - open - 1);
+      line = line.substr(0, open) + path(name);
+    }
+    const Outcome outcome = run(line);
+    EXPECT_EQ(outcome.exit_code, 2) << options;
+    EXPECT_THAT(outcome.err, testing::StartsWith("nanocarbon: error: ")) << options;
+    EXPECT_LT(outcome.err.size(), 300u) << options;
+    EXPECT_FALSE(fs::exists(path("out.data")));
+  }
+  EXPECT_THAT(run("frobnicate").err, HasSubstr("there is no subcommand 'frobnicate'"));
+}
+
+TEST_F(Program, AnOutputThatCannotBeWrittenLeavesNoneOfTheOthers) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  for (const std::string option : {"--xyz", "--report"})
+    EXPECT_EQ(run("build " + octahedron() + " --quality draft --atoms 100 -o " + path("out.data") + " " +
+                  option + " /dev/full")
+                  .exit_code,
+              7);
+  EXPECT_FALSE(fs::exists(path("out.data")));
+}
+
+// Two atoms across: the low-pass filter pulls it together.
+TEST_F(Program, AShapeThatTheThesisLosesIsNotPassedOffAsAMolecule) {
+  const std::string needle = file("needle.off",
+                                  "OFF\n6 8 0\n60 0 0\n-60 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
+                                  "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n");
+  const std::string build = "build " + needle + " --recipe thesis --scale 1 -o " + path("out.data");
+  const Outcome outcome = run(build);
+  EXPECT_EQ(outcome.exit_code, 8);
+  EXPECT_THAT(outcome.err, HasSubstr("needle.off: the shape was lost"));
+  EXPECT_FALSE(fs::exists(path("out.data")));
+  EXPECT_EQ(run(build + " --force").exit_code, 0);
+}
+
+// The molecule of an open shape has its border too: as many boundary loops, and a triangle for each atom.
+TEST_F(Program, ReportsTheTopologyOfOpenShapes) {
+  std::string strip = "OFF\n42 40 0\n";
+  for (int i = 0; i < 21; ++i)
+    for (int j = 0; j < 2; ++j) strip += std::to_string(i) + " " + std::to_string(2 * j) + " 0\n";
+  for (int i = 0; i < 40; i += 2)
+    strip += "3 " + std::to_string(i) + " " + std::to_string(i + 2) + " " + std::to_string(i + 1) + "\n3 " +
+             std::to_string(i + 1) + " " + std::to_string(i + 2) + " " + std::to_string(i + 3) + "\n";
+  for (const std::string recipe : {"thesis", "annealed --quality draft"}) {
+    const Outcome outcome =
+        run("build " + file("strip.off", strip) + " --recipe " + recipe + " --atoms 300 -o " +
+            path("out.data") + " --mesh " + path("out.ply") + " --report " + path("out.json"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto molecule = nlohmann::json::parse(contents(path("out.json")))["molecule"];
+    EXPECT_EQ(molecule["pieces"], 1);
+    EXPECT_EQ(molecule["boundary_loops"], 1);
+    EXPECT_EQ(molecule["euler_characteristic"], 1);
+    EXPECT_EQ(molecule["genus"], 0);
+    const auto mesh = nlohmann::json::parse(run("inspect --json " + path("out.ply")).out);
+    EXPECT_EQ(mesh["faces"], molecule["atoms"]);
+  }
 }
 
 TEST_F(Program, MessagesNameTheFileAndThePlace) {

@@ -30,6 +30,10 @@ std::string refused(const std::string& contents) {
   return test::refusal(Failure::malformed, [&] { parse_mesh(contents, "a.off"); });
 }
 
+TEST(ReadOff, AFaceWithoutAnyVertices) {
+  EXPECT_THAT(refused("OFF\n0 1 0\n3 0 1 2\n"), testing::HasSubstr("there are 0 vertices"));
+}
+
 TEST(ReadOff, PlainFileInEveryLayoutInUse) {
   expect_tetrahedron("OFF\n" + tetrahedron);
   expect_tetrahedron("OFF " + tetrahedron);  // counts on the header's line
@@ -78,7 +82,7 @@ TEST(ReadOff, BrokenFilesAreRefusedWithTheLine) {
   EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1"),
               HasSubstr("a.off:6: face 0 lists 2 of 3 corners"));
   EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
-              HasSubstr("vertex 3, but the vertices are 0 to 2"));
+              HasSubstr("vertex 3, but there are 3 vertices, counted from 0"));
   EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
               HasSubstr("a.off:6: the vertex number is negative"));
   EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n"),

@@ -41,6 +41,29 @@ TEST(TrivalentNetwork, TriangulationOfADualIsTheOneItCameFrom) {
   EXPECT_EQ(back.points.size(), mesh.points.size());
 }
 
+// On a flat lattice every atom is the centroid of its triangle, out to the border.
+TEST(TrivalentNetwork, TriangulationOfAnOpenDualGoesToItsBorder) {
+  TriangleMesh sheet;
+  constexpr VertexIndex side = 6;
+  for (VertexIndex j = 0; j < side; ++j)
+    for (VertexIndex i = 0; i < side; ++i) sheet.points.emplace_back(i + 0.5 * j, std::sqrt(0.75) * j, 0.0);
+  for (VertexIndex j = 0; j + 1 < side; ++j)
+    for (VertexIndex i = 0; i + 1 < side; ++i) {
+      const VertexIndex a = j * side + i;
+      sheet.triangles.push_back({a, a + 1, a + side});
+      sheet.triangles.push_back({a + 1, a + side + 1, a + side});
+    }
+  const TriangleMesh back = triangulation_of(trivalent_network(sheet), centroids(sheet));
+  EXPECT_EQ(back.triangles, sheet.triangles);
+  std::size_t in_place = 0;
+  for (std::size_t v = 0; v < sheet.points.size(); ++v)
+    in_place += (back.points[v] - sheet.points[v]).norm() < 1e-12;
+  // All but the corners, which no triangle of two inner vertices has, and those next to them.
+  EXPECT_GE(in_place, sheet.points.size() - 12);
+  for (std::size_t v = 0; v < sheet.points.size(); ++v)
+    EXPECT_LT((back.points[v] - sheet.points[v]).norm(), 1.0) << v;
+}
+
 TEST(TrivalentNetwork, AtomsOnABorderLackNeighboursAndBorderVerticesAreNoRings) {
   // Six triangles about a vertex: one ring, and six atoms with two bonds each.
   TriangleMesh fan;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/measures.h"
 #include "remeshing/shapes.h"
 #include "remeshing/topology.h"
 #include "support/small_meshes.h"
@@ -29,6 +30,23 @@ TEST(ThesisRecipe, KeepsTheTopologyOfShapesFinerAndCoarserThanTheTarget) {
       EXPECT_EQ(test::topology_of(result.mesh), before) << triangles << " triangles";
       for (const Vec3& p : result.mesh.points) ASSERT_TRUE(p.allFinite());
     }
+  }
+}
+
+// Five to eight vertices, all of them within two rings of each other.
+TEST(ThesisRecipe, KeepsTheSizeOfShapesWithAHandfulOfVertices) {
+  TriangleMesh bipyramid;
+  bipyramid.points = {{1, 0, 0}, {-0.5, 0.866, 0}, {-0.5, -0.866, 0}, {0, 0, 1}, {0, 0, -1}};
+  bipyramid.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
+  for (const TriangleMesh& shape : {bipyramid, test::tetrahedron(), test::icosahedron(1.0)}) {
+    ThesisOptions options;
+    options.projection_interval = 0;
+    const ThesisResult result = remeshed(shape, 1000, options);
+    const TriangleMesh surface = test::sized(shape, 1000);
+    EXPECT_EQ(test::topology_of(result.mesh), test::topology_of(shape));
+    // Chords cut off the tetrahedron's sharp edges and corners; an edge of it is eighteen target edges long.
+    EXPECT_NEAR(static_cast<double>(result.mesh.triangles.size()), 1000.0, 200.0);
+    EXPECT_GT(area(result.mesh), 0.8 * area(surface));
   }
 }
 

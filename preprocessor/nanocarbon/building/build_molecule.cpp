@@ -11,7 +11,6 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/molecule/connected_pieces.h"
 #include "nanocarbon/molecule/dual.h"
-#include "nanocarbon/molecule/primal.h"
 #include "nanocarbon/remeshing/crystallise.h"
 #include "nanocarbon/remeshing/feature_size.h"
 
@@ -37,14 +36,32 @@ std::int64_t euler_characteristic(const Molecule& molecule) {
          static_cast<std::int64_t>(molecule.rings.size());
 }
 
-void require_same_topology(const MeshTopology& surface, const Molecule& molecule) {
-  const std::size_t pieces = connected_pieces(molecule.size(), molecule.bonds).count;
-  if (surface.pieces != pieces || surface.euler_characteristic != euler_characteristic(molecule))
+void require_same_topology(const MeshTopology& surface, const BuildResult& result) {
+  const MeshTopology t = mesh_topology(result.triangulation);
+  const std::size_t pieces = connected_pieces(result.molecule.size(), result.molecule.bonds).count;
+  const std::int64_t euler = euler_characteristic(result.molecule);
+  if (surface.pieces != pieces || surface.euler_characteristic != euler || surface.pieces != t.pieces ||
+      surface.euler_characteristic != t.euler_characteristic || surface.boundary_loops != t.boundary_loops ||
+      surface.genus != t.genus)
     throw UserError(
         Failure::failed,
-        fmt::format("the molecule has {} pieces and Euler characteristic {}, the surface {} and {}; "
-                    "please report this",
-                    pieces, euler_characteristic(molecule), surface.pieces, surface.euler_characteristic));
+        fmt::format("the molecule has {} pieces, {} boundary loops and Euler characteristic {}, the surface "
+                    "{}, {} and {}; please report this",
+                    pieces, t.boundary_loops, euler, surface.pieces, surface.boundary_loops,
+                    surface.euler_characteristic));
+}
+
+// Parts that are thinner than an edge are pulled together by the low-pass filter and collapse.
+void require_shape(const BuildResult& result) {
+  constexpr double smallest_part =
+      0.5;  // replacing the projection mesh costs some of the area, never this much
+  const std::size_t atoms = result.triangulation.triangles.size();
+  if (static_cast<double>(atoms) >= smallest_part * static_cast<double>(result.surface.atoms)) return;
+  throw UserError(
+      Failure::failed,
+      fmt::format("the shape was lost: {} atoms are left where there is room for {}; ask for more "
+                  "atoms, try --projection-interval 0, or take it as it is with --force",
+                  atoms, result.surface.atoms));
 }
 
 void build_by_thesis(BuildResult& result, const BuildOptions& options) {
@@ -63,6 +80,7 @@ void build_by_thesis(BuildResult& result, const BuildOptions& options) {
   result.surface.scale *= result.thesis->scale;
   for (Vec3& point : result.surface.mesh.points) point *= result.thesis->scale;
   result.seconds.remeshing = stage.lap();
+  if (!options.force) require_shape(result);
   result.molecule = dual(result.triangulation);
   result.seconds.molecule = stage.lap();
 }
@@ -128,7 +146,7 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
     result.annealed->energy = result.certificate->energy / static_cast<double>(result.molecule.size());
     result.annealed->max_force = result.certificate->max_force;
   }
-  result.triangulation = primal(result.molecule);
+  result.triangulation = triangulation_of(result.annealed->network, result.molecule.positions);
   result.seconds.molecule = stage.lap() - result.seconds.remeshing;
 }
 
@@ -160,7 +178,7 @@ BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& opti
     build_by_annealing(result, options);
   else
     build_by_thesis(result, options);
-  require_same_topology(mesh_topology(result.surface.mesh), result.molecule);
+  require_same_topology(mesh_topology(result.surface.mesh), result);
   result.seconds.total = whole.lap();
   return result;
 }

@@ -36,8 +36,9 @@ struct BuildOptions {
   std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: by size
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
   bool certify = false;           //!< prove that the molecule is at a minimum (certificate.h)
-  bool force = false;  //!< go on where the shape asks for more atoms, keep a molecule that does not hold
   //! @}
+  //! Go on where the shape asks for more atoms, keep a molecule that does not hold or has lost the shape.
+  bool force = false;
   ThesisOptions thesis;  //!< of the thesis and its forerunners
 
   int threads = 1;
@@ -66,7 +67,7 @@ struct BuildResult {
 //! \brief From a surface to a molecule of carbon atoms.
 //! \param surface a sound 2-manifold, oriented, mesh units (see load_surface())
 //! \throw UserError (size, unsuitable) as sized_surface(); (failed) where the molecule's topology is not the
-//! surface's, or REBO2 would bind other atoms than the molecule does
+//! surface's, REBO2 would bind other atoms than the molecule does, or the thesis's method lost the shape
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options);
 
 }  // namespace nanocarbon

@@ -1,6 +1,7 @@
 #include "nanocarbon/building/size_request.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 
@@ -12,6 +13,14 @@ namespace {
 
 // The dodecahedron C20 is the smallest closed cage of pentagons and hexagons.
 constexpr std::size_t smallest_molecule = 20;
+
+// Both recipes need more than this at their peak, which is enough to refuse what cannot end well: a machine
+// that runs out of memory does so after hours, and may take other programs with it.
+constexpr double least_bytes_per_atom = 400.0;
+
+double bytes_of_memory() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
 
 struct ScaleOf {
   const TriangleMesh& surface;
@@ -47,11 +56,17 @@ SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& reque
         fmt::format("the size asked for needs about {:.3g} atoms, more than this program can number; "
                     "ask for less with --atoms, --length or --scale",
                     atoms));
+  if (atoms * least_bytes_per_atom > bytes_of_memory())
+    throw UserError(
+        Failure::size,
+        fmt::format("the size asked for needs about {:.3g} atoms and {:.3g} GB of memory, and this "
+                    "machine has {:.3g} GB; ask for less with --atoms, --length or --scale",
+                    atoms, 1e-9 * atoms * least_bytes_per_atom, 1e-9 * bytes_of_memory()));
   sized.atoms = static_cast<std::size_t>(std::llround(atoms));
   if (sized.atoms < smallest_molecule)
     throw UserError(
         Failure::size,
-        fmt::format("the size asked for leaves room for {} atoms, and no cage has fewer than {}; "
+        fmt::format("the size asked for leaves room for {} atom(s), and no cage has fewer than {}; "
                     "ask for more with --atoms N, --length {:.3g} or --scale {:.3g}",
                     sized.atoms, smallest_molecule,
                     bounding_box(surface.points).longest_side() * scale_of.for_atoms(smallest_molecule),

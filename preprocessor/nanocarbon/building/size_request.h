@@ -37,7 +37,7 @@ double area_per_atom(double bond_length);
 //! \param surface mesh units
 //! \param bond_length mean bond that the atoms will have, Angstrom
 //! \throw UserError (unsuitable) for a surface without area; (size) for one that would carry fewer than 20
-//! atoms, saying which number would do
+//! atoms, saying which number would do, or more than fit into this machine's memory
 SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& request, double bond_length);
 
 }  // namespace nanocarbon

@@ -8,48 +8,21 @@
 #include <fstream>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/core/held_signals.h"
 
 namespace nanocarbon {
 namespace {
 
-// Removes the temporary file unless the rename has happened.
-class Temporary {
- public:
-  explicit Temporary(std::filesystem::path path) : path_(std::move(path)) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    if (!kept_) {
-      std::error_code ignored;
-      std::filesystem::remove(path_, ignored);
-    }
-  }
-  const std::filesystem::path& path() const { return path_; }
-  void keep() { kept_ = true; }
+namespace fs = std::filesystem;
 
- private:
-  std::filesystem::path path_;
-  bool kept_ = false;
-};
-
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
   throw UserError(Failure::unwritable, fmt::format("{}: cannot be written: {}", path.string(), reason));
 }
 
-}  // namespace
-
-void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
-  // A device or pipe (/dev/stdout) cannot be replaced by a rename: written in place.
-  std::error_code status_error;
-  const auto status = std::filesystem::status(path, status_error);
-  const bool in_place = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-  if (std::filesystem::is_directory(status)) fail(path, "it is a directory");
-
-  Temporary temporary(in_place ? path
-                               : std::filesystem::path(fmt::format("{}.{}.part", path.string(), getpid())));
-  if (in_place) temporary.keep();
+// Writes to a place, naming another one where that fails.
+void write_to(const fs::path& place, const fs::path& path, const std::function<void(std::ostream&)>& write) {
   errno = 0;
-  std::ofstream stream(temporary.path(), std::ios::binary);
+  std::ofstream stream(place, std::ios::binary);
   if (!stream) fail(path, std::strerror(errno));
   stream.exceptions(std::ios::badbit | std::ios::failbit);
   try {
@@ -58,11 +31,43 @@ void write_file(const std::filesystem::path& path, const std::function<void(std:
   } catch (const std::ios_base::failure&) {
     fail(path, errno ? std::strerror(errno) : "write error");
   }
-  if (in_place) return;
-  std::error_code error;
-  std::filesystem::rename(temporary.path(), path, error);
-  if (error) fail(path, error.message());
-  temporary.keep();
+}
+
+}  // namespace
+
+OutputFiles::OutputFiles() = default;
+
+OutputFiles::~OutputFiles() {
+  std::error_code ignored;
+  for (const Pending& file : pending_) fs::remove(file.temporary, ignored);
+}
+
+void OutputFiles::add(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  if (fs::is_directory(status)) fail(path, "it is a directory");
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, path, write);
+  if (!held_) held_ = std::make_unique<HeldSignals>();
+  // A symbolic link stays one: the file that it leads to is replaced.
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path) : path;
+  pending_.push_back({fmt::format("{}.{}.part", target.string(), getpid()), target});
+  write_to(pending_.back().temporary, path, write);
+}
+
+void OutputFiles::publish() {
+  while (!pending_.empty()) {
+    std::error_code error;
+    fs::rename(pending_.front().temporary, pending_.front().path, error);
+    if (error) fail(pending_.front().path, error.message());
+    pending_.erase(pending_.begin());
+  }
+  held_.reset();
+}
+
+void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  OutputFiles files;
+  files.add(path, write);
+  files.publish();
 }
 
 }  // namespace nanocarbon

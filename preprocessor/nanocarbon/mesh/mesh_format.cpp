@@ -1,7 +1,11 @@
 #include "nanocarbon/mesh/mesh_format.h"
 
+#include <fmt/format.h>
+
 #include <cctype>
 #include <string>
+
+#include "nanocarbon/core/error.h"
 
 namespace nanocarbon {
 
@@ -13,6 +17,15 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path)
   if (extension == ".ply") return MeshFormat::ply;
   if (extension == ".stl") return MeshFormat::stl;
   return std::nullopt;
+}
+
+MeshFormat format_to_write(const std::filesystem::path& path) {
+  const std::optional<MeshFormat> format = format_of_extension(path);
+  if (!format)
+    throw UserError(
+        Failure::usage,
+        fmt::format("{}: the extension names no mesh format; use .off, .obj, .ply or .stl", path.string()));
+  return *format;
 }
 
 }  // namespace nanocarbon

@@ -56,8 +56,8 @@ void read_face(TextScanner& scanner, PolygonSoup& soup) {
       scanner.fail(fmt::format("face {} lists {} of {} corners", soup.faces(), i, corners));
     const std::uint64_t vertex = scanner.count("vertex number");
     if (vertex >= soup.points.size())
-      scanner.fail(fmt::format("face {} uses vertex {}, but the vertices are 0 to {}", soup.faces(), vertex,
-                               soup.points.size() - 1));
+      scanner.fail(fmt::format("face {} uses vertex {}, but there are {} vertices, counted from 0",
+                               soup.faces(), vertex, soup.points.size()));
     soup.corners.push_back(static_cast<VertexIndex>(vertex));
   }
   soup.close_face();

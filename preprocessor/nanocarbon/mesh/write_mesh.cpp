@@ -143,30 +143,29 @@ void put_stl(Text& text, const TriangleMesh& mesh, bool as_text) {
 
 }  // namespace
 
+void write_mesh(std::ostream& out, MeshFormat format, const TriangleMesh& mesh,
+                const MeshFileOptions& options) {
+  Text text(out);
+  switch (format) {
+    case MeshFormat::off:
+      put_off(text, mesh, options.colours);
+      break;
+    case MeshFormat::obj:
+      put_obj(text, mesh);
+      break;
+    case MeshFormat::ply:
+      put_ply(text, mesh, options);
+      break;
+    case MeshFormat::stl:
+      put_stl(text, mesh, options.text);
+      break;
+  }
+  text.flush();
+}
+
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const MeshFileOptions& options) {
-  const std::optional<MeshFormat> format = format_of_extension(path);
-  if (!format)
-    throw UserError(
-        Failure::usage,
-        fmt::format("{}: the extension names no mesh format; use .off, .obj, .ply or .stl", path.string()));
-  write_file(path, [&](std::ostream& out) {
-    Text text(out);
-    switch (*format) {
-      case MeshFormat::off:
-        put_off(text, mesh, options.colours);
-        break;
-      case MeshFormat::obj:
-        put_obj(text, mesh);
-        break;
-      case MeshFormat::ply:
-        put_ply(text, mesh, options);
-        break;
-      case MeshFormat::stl:
-        put_stl(text, mesh, options.text);
-        break;
-    }
-    text.flush();
-  });
+  const MeshFormat format = format_to_write(path);
+  write_file(path, [&](std::ostream& out) { write_mesh(out, format, mesh, options); });
 }
 
 }  // namespace nanocarbon

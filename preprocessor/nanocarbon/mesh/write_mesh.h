@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 
 #include "nanocarbon/mesh/mesh_colours.h"
+#include "nanocarbon/mesh/mesh_format.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
 namespace nanocarbon {
@@ -12,6 +14,10 @@ struct MeshFileOptions {
   const MeshColours* colours =
       nullptr;  //!< for PLY (vertices and edges) and OFF (vertices); others have none
 };
+
+//! Writes a mesh to a binary stream.
+void write_mesh(std::ostream& out, MeshFormat format, const TriangleMesh& mesh,
+                const MeshFileOptions& options = {});
 
 //! \brief Writes a mesh as OFF, OBJ, PLY or STL, whichever the path's extension says; whole or not at all.
 //! \details Coordinates read back to the same doubles, except from binary STL, which holds floats.

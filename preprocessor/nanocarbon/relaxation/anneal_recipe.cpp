@@ -242,6 +242,7 @@ class Recipe {
       result.intact = relaxed.intact;
     }
     result.accepted = level.accepted;
+    result.network = level.state.network;
     const GeometryCheck check = check_geometry(result.molecule.positions, model.rebo2.graph);
     result.shortest_bond = check.shortest_bond;
     result.longest_bond = check.longest_bond;

@@ -6,6 +6,7 @@
 
 #include "nanocarbon/mesh/triangle_mesh.h"
 #include "nanocarbon/molecule/molecule.h"
+#include "nanocarbon/relaxation/trivalent_network.h"
 
 namespace nanocarbon {
 
@@ -31,6 +32,7 @@ struct AnnealOptions {
 
 struct AnnealResult {
   Molecule molecule;             //!< with rings; at a minimum of the full REBO2 energy
+  TrivalentNetwork network;      //!< of the molecule, with what it has on borders
   double unannealed_energy = 0;  //!< eV for each atom, of dual relaxation alone
   double energy = 0;             //!< eV for each atom
   double max_force = 0;          //!< eV/Angstrom

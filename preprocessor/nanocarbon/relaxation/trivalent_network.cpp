@@ -45,6 +45,32 @@ void find_ring_starts(TrivalentNetwork& network) {
     }
 }
 
+// The mean of a border vertex's atoms lies inwards of it. It belongs where an atom between it and two rings
+// is the centroid of its triangle or, without such an atom, as far beyond its atoms as the rings are before
+// them.
+void move_border_out(const TrivalentNetwork& network, std::span<const Vec3> positions, TriangleMesh& mesh) {
+  struct Mean {
+    Vec3 sum = Vec3::Zero();
+    unsigned count = 0;
+    void add(const Vec3& p) { sum += p, ++count; }
+  };
+  std::vector<Mean> centroid_rule(network.rings.size()), beyond(network.rings.size());
+  for (AtomIndex a = 0; a < network.atoms.size(); ++a)
+    for (unsigned s = 0; s < 3; ++s) {
+      const RingIndex r = network.atoms[a].ring[s];
+      if (!network.rings[r].border) continue;
+      const RingIndex x = network.atoms[a].ring[(s + 1) % 3], y = network.atoms[a].ring[(s + 2) % 3];
+      if (!network.rings[x].border && !network.rings[y].border)
+        centroid_rule[r].add(3 * positions[a] - mesh.points[x] - mesh.points[y]);
+      for (const RingIndex inner : {x, y})
+        if (!network.rings[inner].border) beyond[r].add(2 * mesh.points[r] - mesh.points[inner]);
+    }
+  for (RingIndex r = 0; r < network.rings.size(); ++r) {
+    const Mean& mean = centroid_rule[r].count > 0 ? centroid_rule[r] : beyond[r];
+    if (mean.count > 0) mesh.points[r] = mean.sum / mean.count;
+  }
+}
+
 }  // namespace
 
 TrivalentNetwork trivalent_network(const TriangleMesh& triangulation) {
@@ -157,6 +183,7 @@ TriangleMesh triangulation_of(const TrivalentNetwork& network, std::span<const V
     mesh.triangles.push_back({atom.ring[0], atom.ring[1], atom.ring[2]});
     for (const RingIndex r : atom.ring) mesh.points[r] += positions[a] / network.rings[r].size;
   }
+  move_border_out(network, positions, mesh);
   return mesh;
 }
 

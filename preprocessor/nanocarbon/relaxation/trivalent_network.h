@@ -58,7 +58,9 @@ std::vector<AtomIndex> compact(TrivalentNetwork& network);
 //! The molecule of a compact network. Rings of the border are left out.
 Molecule molecule_of(const TrivalentNetwork& network, std::span<const Vec3> positions);
 
-//! The triangulation whose dual a compact network is, with vertices at the rings' centroids.
+//! \brief The triangulation whose dual a compact network is: triangle i is atom i, vertex r is ring r.
+//! \details Vertices are at the rings' centroids, those of the border as far outside as the sheet of atoms
+//! goes on there.
 TriangleMesh triangulation_of(const TrivalentNetwork& network, std::span<const Vec3> positions);
 
 //! Number of inner rings of each size: entry s counts the rings of s atoms.

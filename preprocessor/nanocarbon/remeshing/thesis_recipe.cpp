@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/split_in_four.h"
 #include "nanocarbon/remeshing/low_pass_filter.h"
 #include "nanocarbon/remeshing/projection.h"
 
@@ -47,6 +49,15 @@ void check(const TriangleMesh& surface) {
     if (!surface.points[v].allFinite())
       throw UserError(Failure::unsuitable,
                       fmt::format("vertex {} is not at a finite place: mend the mesh", v));
+}
+
+//! The surface, with enough vertices to begin with.
+TriangleMesh start_of(const TriangleMesh& surface, const ThesisOptions& options) {
+  constexpr double coarsest = 4.0;  // target edges
+  const double longest = coarsest * edge_interval(options.min_bond, options.max_bond).mean();
+  TriangleMesh start = surface;
+  while (edge_lengths(start).mean > longest) start = split_in_four(start);
+  return start;
 }
 
 //! One run of Algorithm 1: the mesh, the projection mesh and the account of what was done.
@@ -177,7 +188,7 @@ const char* to_string(ThesisStop stop) {
 
 ThesisResult remesh_by_thesis(const TriangleMesh& surface, const ThesisOptions& options) {
   check(surface);
-  return Recipe(surface, options).run();
+  return Recipe(start_of(surface, options), options).run();
 }
 
 }  // namespace nanocarbon
