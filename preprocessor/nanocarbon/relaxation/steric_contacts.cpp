@@ -12,6 +12,23 @@ namespace {
 constexpr double kStiffness = 8;  // eV/Angstrom^2
 constexpr double kMargin = 0.8;   // Angstrom
 
+// Atoms that walks of two and of three bonds lead to: all within three bonds, since walks may turn back. Some
+// stand there twice; no_atom fills up at borders.
+using Walks = std::array<AtomIndex, 9 + 27>;
+
+void walk_three_bonds(const StericContacts::Neighbours& neighbours, AtomIndex start, Walks& found) {
+  found.fill(no_atom);
+  std::size_t second = 0, third = 9;
+  for (const AtomIndex n : neighbours[start]) {
+    if (n == no_atom) continue;
+    for (const AtomIndex m : neighbours[n]) {
+      if (m == no_atom) continue;
+      found[second++] = m;
+      for (const AtomIndex l : neighbours[m]) found[third++] = l;
+    }
+  }
+}
+
 // Atoms at most `bonds` bonds away from the start, found breadth first; sorted.
 void atoms_within_bonds(const StericContacts::Neighbours& neighbours, AtomIndex start, unsigned bonds,
                         std::vector<AtomIndex>& found) {
@@ -42,16 +59,22 @@ void StericContacts::renew(std::span<const Vec3> positions, const Neighbours& ne
   const NeighbourList candidates = neighbours_within(positions, nullptr, steric_reach + kMargin);
   offsets_.assign(1, 0);
   near_.clear();
+  const auto used = [&](AtomIndex a) {
+    const auto& n = neighbours[a];
+    return n[0] != no_atom || n[1] != no_atom || n[2] != no_atom;
+  };
+  Walks close;
   std::vector<AtomIndex> bonded;
   for (AtomIndex a = 0; a < positions.size(); ++a) {
-    // In a flat sheet every candidate is within the excluded bonds; only curved or folded places need the
-    // search.
-    if (neighbours[a][0] != no_atom || neighbours[a][1] != no_atom || neighbours[a][2] != no_atom) {
-      atoms_within_bonds(neighbours, a, steric_excluded_bonds, bonded);
+    // In a flat sheet every candidate is within three bonds; only curved or folded places need the search.
+    if (used(a)) {
+      walk_three_bonds(neighbours, a, close);
+      bonded.clear();
       for (const Neighbour& candidate : candidates.of(a)) {
-        const auto& other = neighbours[candidate.atom];
-        const bool used = other[0] != no_atom || other[1] != no_atom || other[2] != no_atom;
-        if (used && !std::binary_search(bonded.begin(), bonded.end(), candidate.atom))
+        if (!used(candidate.atom) || std::find(close.begin(), close.end(), candidate.atom) != close.end())
+          continue;
+        if (bonded.empty()) atoms_within_bonds(neighbours, a, steric_excluded_bonds, bonded);
+        if (!std::binary_search(bonded.begin(), bonded.end(), candidate.atom))
           near_.push_back(candidate.atom);
       }
     }
