@@ -61,6 +61,7 @@ Faces trace_faces(const EmbeddedGraph& graph, const RotationSystem& rotation) {
   const Skeleton& skeleton = rotation.skeleton;
   Faces faces;
   faces.atoms.reserve(graph.ends.size());
+  faces.half_edges.reserve(graph.ends.size());
   std::vector<bool> visited(2 * graph.ends.size(), false);
   std::vector<Step> steps;
   const auto tail = [&](const Step& s) { return graph.ends[skeleton.twin[s.half_edge]]; };
@@ -73,7 +74,10 @@ Faces trace_faces(const EmbeddedGraph& graph, const RotationSystem& rotation) {
     const auto lowest = std::min_element(steps.begin(), steps.end(),
                                          [&](const Step& a, const Step& b) { return tail(a) < tail(b); });
     std::rotate(steps.begin(), lowest, steps.end());
-    for (const Step& s : steps) faces.atoms.push_back(tail(s));
+    for (const Step& s : steps) {
+      faces.atoms.push_back(tail(s));
+      faces.half_edges.push_back(s.half_edge);
+    }
     faces.offsets.push_back(static_cast<std::uint32_t>(faces.atoms.size()));
     const bool bare_cycle = rotation.bare_cycle[skeleton.piece[tail(first)]] != 0;
     faces.turning.push_back(bare_cycle ? turning_of_bare_cycle(rotation, first)

@@ -11,8 +11,9 @@ namespace nanocarbon {
 struct Faces {
   std::vector<std::uint32_t> offsets = {0};  //!< size faces + 1
   std::vector<AtomIndex> atoms;  //!< along the face; an atom stands here as often as the face passes it
-  std::vector<double> turning;   //!< of each face: sum of its turns to the left, radians: 2 pi around a flat
-                                 //!< ring, 0 around a straight tube's end, -2 pi around a flat flake
+  std::vector<std::uint32_t> half_edges;  //!< along the face: the one that leads on from each atom
+  std::vector<double> turning;  //!< of each face: sum of its turns to the left, radians: 2 pi around a flat
+                                //!< ring, 0 around a straight tube's end, -2 pi around a flat flake
   std::size_t size() const { return offsets.size() - 1; }
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <numbers>
 
+#include "nanocarbon/molecule/face_check.h"
 #include "nanocarbon/molecule/face_tracing.h"
 #include "nanocarbon/molecule/rotation_system.h"
 
@@ -68,6 +69,8 @@ SurfaceTopology surface_topology(const EmbeddedGraph& graph, const TopologyOptio
   if (surface.problem) return surface;
 
   const Faces faces = trace_faces(graph, rotation);
+  surface.problem = find_doubtful_face(graph, rotation, faces, options.max_ring);
+  if (surface.problem) return surface;
   std::vector<Counts> counts = count_skeleton(rotation.skeleton);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::span<const AtomIndex> face(faces.atoms.data() + faces.offsets[f],

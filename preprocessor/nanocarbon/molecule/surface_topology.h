@@ -54,8 +54,8 @@ struct TopologyOptions {
 //! at all (less than half a full turn to the left), as the rim of a naphthalene or of a thin open tube does.
 //! Hydrogen is not part of the surface. Carbon that hangs on by one bond, alone or as a tree, is left out of
 //! faces and changes nothing. Not a surface, and never guessed: a carbon atom bonded to four or more others;
-//! a bond known to one of its atoms only; a bond twisted by a right angle that only long cycles go through.
-//! Linear; 10,000 atoms take two milliseconds.
+//! a bond known to one of its atoms only; a bond twisted by a right angle that only long cycles go through;
+//! a face that no surface has (face_check.h), as atoms far out of place make. Linear; 10,000 atoms take two milliseconds.
 SurfaceTopology surface_topology(const EmbeddedGraph& graph, const TopologyOptions& options = {});
 
 enum class Verdict { intact = 0, homeomorphic = 1, broken = 2, not_a_surface = 3 };
