@@ -22,6 +22,10 @@ FixBondTopology::FixBondTopology(LAMMPS* lammps, int narg, char** arg)
     : Fix(lammps, narg, arg), options_(read_options(lammps, narg, arg)) {
   if (!atom->tag_enable)
     error->all(FLERR, std::string("Fix bond/topology needs atom IDs: leave out atom_modify id no"));
+  const std::string units = update->unit_style;
+  if (units != "metal" && units != "real")
+    error->all(FLERR,
+               "Fix bond/topology needs units metal or real, whose lengths are in Angstrom, not " + units);
   nevery = options_.every;
   scalar_flag = 1;
   extscalar = 0;
@@ -174,6 +178,8 @@ void FixBondTopology::begin_afresh() {
   if (is_root()) {
     watch_->start = start_watch(gathered.atoms, options_.topology);
     write_line(start_line(now(), watch_->start));
+    if (gathered.atoms.ids.empty())
+      error->warning(FLERR, std::string("Fix bond/topology ") + id + " has no atoms to watch");
   }
   adopt(candidates_, rank_atoms(), options_.distances, storage_.partners);
   evaluate();

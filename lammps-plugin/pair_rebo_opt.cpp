@@ -16,6 +16,7 @@
 #include "nanocarbon/rebo2/sp2_dispatch.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "update.h"
 #include "utils.h"
 
 using namespace LAMMPS_NS;
@@ -78,6 +79,8 @@ Rebo2Parameters PairReboOpt::read_parameters(const char* file) const {
 }
 
 void PairReboOpt::coeff(int narg, char** arg) {
+  if (std::strcmp(update->unit_style, "metal") != 0)
+    error->all(FLERR, std::string("Pair style rebo/opt requires metal units, not ") + update->unit_style);
   if (!allocated) allocate();
   const int types = atom->ntypes;
   if (narg != 3 + types || std::strcmp(arg[0], "*") != 0 || std::strcmp(arg[1], "*") != 0)

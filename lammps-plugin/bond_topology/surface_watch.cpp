@@ -1,8 +1,8 @@
 #include "bond_topology/surface_watch.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
+#include <utility>
 
 namespace nanocarbon {
 namespace {
@@ -24,25 +24,6 @@ std::vector<BondedIds> bonded_pairs(const WatchedAtoms& atoms) {
   for (const BondEnd& bond : atoms.bonds) pairs.push_back({bond.atom, bond.neighbour});
   std::sort(pairs.begin(), pairs.end());
   return pairs;
-}
-
-// The library's texts name atoms by index.
-std::string with_ids(const std::string& text, const std::vector<std::int64_t>& ids) {
-  static const std::string word = "atom ";
-  std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const bool names_atom = text.compare(at, word.size(), word) == 0 && at + word.size() < text.size() &&
-                            std::isdigit(static_cast<unsigned char>(text[at + word.size()]));
-    if (!names_atom) {
-      result += text[at++];
-      continue;
-    }
-    std::size_t digits = 0;
-    const std::size_t index = std::stoul(text.substr(at + word.size()), &digits);
-    result.append("atom ID ").append(index < ids.size() ? std::to_string(ids[index]) : "unknown");
-    at += word.size() + digits;
-  }
-  return result;
 }
 
 // Of each atom of the start: its place among the atoms now, or none.
@@ -92,10 +73,9 @@ WatchReport report(const WatchStart& start, const WatchedAtoms& now, const Topol
   for (std::size_t a = 0; a < places.size(); ++a)
     if (repelled[a]) result.repelled.push_back(start.atoms.ids[a]);
 
-  const Judgement judgement =
-      judge(start.topology, result.topology, result.changes.none(), result.lost.size());
+  Judgement judgement = judge(start.topology, result.topology, result.changes.none(), result.lost.size());
   result.verdict = judgement.verdict;
-  result.reason = with_ids(judgement.reason, result.topology.problem ? now.ids : start.atoms.ids);
+  result.reason = std::move(judgement.reason);
 
   for (std::size_t a = 0; a < now.ids.size(); ++a)
     result.atoms.push_back(

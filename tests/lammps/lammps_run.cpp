@@ -90,15 +90,6 @@ void LammpsRun::place(const std::map<AtomIndex, Vec3>& places) {
   }
 }
 
-std::string LammpsRun::error_of(const std::string& line) {
-  try {
-    command(line);
-  } catch (const std::exception& failure) {
-    return failure.what();
-  }
-  return {};
-}
-
 double LammpsRun::fix_scalar(const std::string& id) { return fix_of(*lammps_, id).compute_scalar(); }
 
 double LammpsRun::fix_vector(const std::string& id, int index) {

@@ -33,9 +33,6 @@ class LammpsRun {
   //! Moves atoms to new places, by index; they may be anywhere.
   void place(const std::map<AtomIndex, Vec3>& places);
 
-  //! The message of the error that a command ends in; empty where it does not.
-  std::string error_of(const std::string& line);
-
   double fix_scalar(const std::string& id);
   double fix_vector(const std::string& id, int index);  //!< from 1, as in input scripts
 

@@ -117,6 +117,26 @@ TEST(FixBondTopologyErrors, IllegalArgumentsAreNamed) {
   expect_error(run_script(program, with_fix("1 file /nowhere/changes")), "cannot open file /nowhere/changes");
 }
 
+TEST(FixBondTopologyErrors, UnitsOtherThanAngstromAreAnError) {
+  const auto in_units = [](const std::string& units) {
+    std::string script = load + square() + "fix watch all bond/topology 1\nrun 0\n";
+    return run_script(program, script.replace(script.find("metal"), 5, units));
+  };
+  const ScriptResult real = in_units("real");
+  EXPECT_EQ(real.exit_code, 0) << real.output;
+  expect_error(in_units("lj"),
+               "Fix bond/topology needs units metal or real, whose lengths are in Angstrom, not lj");
+  expect_error(in_units("nano"), "not nano");
+}
+
+TEST(FixBondTopologyOutput, AnEmptyGroupIsWarnedOf) {
+  const ScriptResult result =
+      run_script(program, load + square() +
+                              "group none type 1\ngroup none clear\nfix watch none bond/topology 1\nrun 0\n");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("WARNING: Fix bond/topology watch has no atoms to watch"));
+}
+
 TEST(FixBondTopologyErrors, AtomsWithoutIdsAreAnError) {
   expect_error(run_script(program, load + "units metal\natom_modify id no\nregion box block 0 20 0 20 0 20\n"
                                           "create_box 1 box\ncreate_atoms 1 single 10 10 10\nmass 1 12.011\n"

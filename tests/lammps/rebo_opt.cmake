@@ -27,4 +27,5 @@ rebo_opt_refuses(null "pair_coeff * * ${NANOCARBON_CH_REBO} NULL NULL" "every ty
 rebo_opt_refuses(file "pair_coeff * * ${CMAKE_CURRENT_SOURCE_DIR}/rebo_opt_refusal.in C H" "line 2: expected '# REBO2'")
 rebo_opt_refuses(missing "pair_coeff * * nowhere.rebo C H" "cannot open the potential file nowhere.rebo")
 rebo_opt_refuses(newton "run 0" "ERROR: Pair style rebo/opt requires newton pair on" -var newton off)
+rebo_opt_refuses(units "run 0" "ERROR: Pair style rebo/opt requires metal units, not real" -var units real)
 nanocarbon_lammps_test(rebo_opt_conservation RANKS 1 LABEL lammps-slow)
