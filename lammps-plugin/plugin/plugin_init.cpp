@@ -2,6 +2,7 @@
 //! \brief The object's one exported function. It may use nothing of LAMMPS that could differ between versions
 //! until it knows that it runs in the version it was built for.
 
+#include <dlfcn.h>
 #include <mpi.h>
 
 #include <cstdio>
@@ -18,15 +19,6 @@ extern "C" {
 [[gnu::weak]] int lammps_extract_setting(void* lmp, const char* keyword);
 [[gnu::visibility("default")]] void lammpsplugin_init(void* lmp, void* handle, void* plugin_register);
 }
-
-namespace LAMMPS_NS {
-
-class Error {
- public:
-  [[gnu::weak]] void all(const std::string& file, int line, const std::string& message);
-};
-
-}  // namespace LAMMPS_NS
 
 namespace nanocarbon {
 namespace {
@@ -58,15 +50,29 @@ std::string reason_to_refuse(void* lmp) {
   return {};
 }
 
+// LAMMPS's error class, whichever it is: its member functions are looked up by name, for headers of newer
+// versions make one of them inline, and this object's own copy would call what an older LAMMPS does not have.
+class AnyError;
+using Text = std::string;
+
+template <typename Function>
+Function* find(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
 // Stops LAMMPS as its own errors do. The error class has been the second member of class LAMMPS since before
 // there were plugins; where its function has changed, a message and no styles must do.
 void refuse(void* lmp, const std::string& message) {
-  using StopAll = void (LAMMPS_NS::Error::*)(const std::string&, int, const std::string&);
-  StopAll stop_all = &LAMMPS_NS::Error::all;
-  if (stop_all != nullptr) {
-    auto* error = static_cast<LAMMPS_NS::Error**>(lmp)[1];
-    (error->*stop_all)("plugin_init.cpp", __LINE__, message);
-  }
+  auto* const error = static_cast<AnyError**>(lmp)[1];
+  const std::string file = "plugin_init.cpp";
+  // Error::all(file, line, message), and since 2025 (file, line, place of the wrong word, message).
+  if (auto* const stop = find<void(AnyError*, const Text&, int, const Text&)>(
+          "_ZN9LAMMPS_NS5Error3allERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEiS8_"))
+    stop(error, file, __LINE__, message);
+  constexpr int no_word = -2;
+  if (auto* const stop = find<void(AnyError*, const Text&, int, int, const Text&)>(
+          "_ZN9LAMMPS_NS5Error3allERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEiiS8_"))
+    stop(error, file, __LINE__, no_word, message);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0) std::fprintf(stderr, "ERROR: %s\n", message.c_str());
