@@ -1,4 +1,5 @@
 # What a builder may choose, and the settings every target shares.
+option(NANOCARBON_PREPROCESSOR "Build the program and all of its library; OFF: the LAMMPS plugin and what it needs alone" ON)
 option(NANOCARBON_PLUGIN "Build the LAMMPS plugin (needs LAMMPS headers or source, and MPI)" ON)
 option(NANOCARBON_BENCHMARKS "Build the benchmark programs (needs Google Benchmark)" ON)
 option(NANOCARBON_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
