@@ -45,7 +45,7 @@ def verdict_of_run(args, data, prefix, temperature):
     """The verdict of fix bond/topology, or what LAMMPS said instead."""
     plugin, screen = args.build / "lammps-plugin", f"{prefix}.screen"
     run(args, [plugin / "lmp-nanocarbon", "-in", args.root / "examples/validate.in", "-log", f"{prefix}.log",
-               "-var", "data", data, "-var", "steps", args.steps, "-var", "temperature", temperature, "-var", "every",
+               "-var", "data", data, "-var", "steps", args.steps, "-var", "temperature", temperature, "-var", "pixels", 0, "-var", "every",
                1000, "-var", "plugin", plugin / "nanocarbonplugin.so", "-var", "pair", args.pair, "-var", "out",
                prefix], screen)
     text = pathlib.Path(screen).read_text(errors="replace")

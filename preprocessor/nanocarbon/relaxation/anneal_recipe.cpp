@@ -61,9 +61,10 @@ std::optional<Level> try_start(const TriangleMesh& surface, double scale, std::s
   return level;
 }
 
-void relax_level(Level& level, const TetherSurface& tether_surface) {
-  const auto relaxed = relax_network(fixed_bond_graph(level.state.network), level.state.positions,
-                                     tether_surface, {.tether = level.state.tether});
+void relax_level(Level& level, const TetherSurface& tether_surface, bool raw = true) {
+  const auto relaxed = relax_network(
+      fixed_bond_graph(level.state.network), level.state.positions, tether_surface,
+      {.tether = level.state.tether, .untangling_attempts = raw ? 1u : 0u, .springs_first = raw});
   level.unannealed = relaxed.energy / static_cast<double>(level.state.positions.size());
   level.mean_distance = relaxed.mean_distance;
   level.sound = relaxed.longest_bond < kSafeBond && relaxed.closest_unbonded > kSafeDistance;
@@ -78,7 +79,7 @@ void mend_level(Level& level, const TetherSurface& tether_surface, BondSwitching
   for (int round = 0; round < 4 && !level.sound; ++round) {
     options.seed += 100;
     level.accepted += anneal_bonds(level.state, tether_surface, options).accepted;
-    relax_level(level, tether_surface);
+    relax_level(level, tether_surface, false);
   }
 }
 
@@ -108,9 +109,7 @@ class Recipe {
     Level level = full_size_level();
     relax_level(level, tether_surface);
     result.unannealed_energy = level.unannealed;
-    if (options_.quality == AnnealQuality::draft) {
-      mend_level(level, tether_surface, switching(atoms_));
-    } else {
+    if (options_.quality != AnnealQuality::draft) {
       result.refinements = begin_coarse(level);
       anneal_level(level, tether_surface,
                    result.refinements > 0 ? fine_switching(0) : single_level_switching());

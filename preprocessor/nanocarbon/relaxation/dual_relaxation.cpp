@@ -17,9 +17,11 @@ constexpr double kSpringTether = 0.5;
 void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::vector<Vec3>& positions,
                       int iterations) {
   for (int round = 0; round < 3; ++round) {
-    model.planes = tangent_planes(surface, positions);
+    model.planes = tangent_planes(surface, positions, model.planes);
     const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
-      return add_springs(model.rebo2.graph, x, g) + add_tether(model.planes, kSpringTether, x, g);
+      return add_springs(model.rebo2.graph, x, g) +
+             model.contacts.evaluate(x, model.rebo2.graph.neighbours, g) +
+             add_tether(model.planes, kSpringTether, x, g);
     };
     minimise_lbfgs(positions, energy, {.max_iterations = iterations / 3, .force_tolerance = 0.05});
   }
@@ -32,7 +34,7 @@ DualRelaxationResult relax_network(const FixedBondRebo2::Graph& graph, std::vect
   FixedBondModel model;
   model.rebo2.graph = graph;
   model.tether = options.tether;
-  relax_by_springs(model, surface, positions, options.max_iterations);
+  if (options.springs_first) relax_by_springs(model, surface, positions, options.max_iterations);
   DualRelaxationResult result;
   LbfgsResult relaxed;
   for (unsigned attempt = 0; attempt <= options.untangling_attempts; ++attempt) {

@@ -10,7 +10,8 @@ struct DualRelaxationOptions {
   double tether = 0.05;              //!< to the surface's tangent planes, eV/Angstrom^2
   int max_iterations = 400;          //!< of each stage
   double force_tolerance = 0.02;     //!< eV/Angstrom, of the REBO2 stage
-  unsigned untangling_attempts = 4;  //!< where bonds end up above 1.7 Angstrom or other pairs below 2.0
+  unsigned untangling_attempts = 1;  //!< where bonds end up above 1.7 Angstrom or other pairs below 2.0
+  bool springs_first = true;         //!< not needed where positions have been relaxed before
 };
 
 struct DualRelaxationResult {

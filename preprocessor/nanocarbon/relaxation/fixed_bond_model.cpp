@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "nanocarbon/relaxation/network_guards.h"
+
 namespace nanocarbon {
 
 double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   double energy = rebo2.evaluate(positions, gradient);
+  energy += add_guards(rebo2.graph, positions, gradient);
   energy += contacts.evaluate(positions, rebo2.graph.neighbours, gradient);
   if (!planes.empty()) energy += add_tether(planes, tether, positions, gradient);
   return energy;
@@ -17,7 +20,7 @@ LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const TetherSurface* sur
   LbfgsResult result;
   int iterations = 0;
   do {
-    if (surface) model.planes = tangent_planes(*surface, positions);
+    if (surface) model.planes = tangent_planes(*surface, positions, model.planes);
     LbfgsOptions part = options;
     part.max_iterations = options.max_iterations - iterations;
     if (surface) part.max_iterations = std::min(part.max_iterations, renewal);

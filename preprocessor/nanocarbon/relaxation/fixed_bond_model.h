@@ -9,7 +9,8 @@
 
 namespace nanocarbon {
 
-//! What holds a molecule while it is being prepared: REBO2 on fixed bonds, the steric term, and a tether.
+//! What holds a molecule while it is being prepared: REBO2 on fixed bonds, guards, the steric term, and a
+//! tether.
 struct FixedBondModel {
   FixedBondRebo2 rebo2;
   StericContacts contacts;

@@ -12,7 +12,7 @@ namespace nanocarbon {
 inline constexpr double steric_reach = 2.9;
 
 //! Bonds apart up to which two atoms never repel: the angles and rings of the network hold those apart.
-inline constexpr unsigned steric_excluded_bonds = 5;
+inline constexpr unsigned steric_excluded_bonds = 3;
 
 //! Harmonic repulsion of one pair: (k / 2)(reach - r)^2 below the reach, k = 8 eV/Angstrom^2. Adds the
 //! gradient at `a` to it and returns the energy in eV; the gradient at b is its opposite.

@@ -7,6 +7,10 @@ namespace nanocarbon {
 
 namespace {
 
+// Normals further apart than this cosine belong to the other side of a thin part, looked for up to this
+// distance.
+constexpr double kOtherSide = -0.3, kFarthestSide = 8;  // Angstrom
+
 TriangleMesh scaled_mesh(const TriangleMesh& surface, double scale) {
   TriangleMesh scaled = surface;
   for (Vec3& p : scaled.points) p *= scale;
@@ -44,28 +48,60 @@ Vec3 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c)
 }  // namespace
 
 TetherSurface::TetherSurface(const TriangleMesh& surface, double scale)
-    : scaled_(scaled_mesh(surface, scale)), nearest_(scaled_), vertex_normals_(vertex_normals_of(scaled_)) {}
+    : scaled_(scaled_mesh(surface, scale)),
+      nearest_(scaled_),
+      tree_(triangle_tree(scaled_)),
+      vertex_normals_(vertex_normals_of(scaled_)) {}
 
-TangentPlane TetherSurface::plane_at(const Vec3& position) const {
-  const SurfacePoint found = nearest_.nearest(position);
-  const Triangle& t = scaled_.triangles[found.triangle];
-  const Vec3 weight =
-      barycentric(found.point, scaled_.points[t[0]], scaled_.points[t[1]], scaled_.points[t[2]]);
+TangentPlane TetherSurface::plane_at(const Vec3& foot, std::uint32_t triangle) const {
+  const Triangle& t = scaled_.triangles[triangle];
+  const Vec3 weight = barycentric(foot, scaled_.points[t[0]], scaled_.points[t[1]], scaled_.points[t[2]]);
   Vec3 normal = weight[0] * vertex_normals_[t[0]] + weight[1] * vertex_normals_[t[1]] +
                 weight[2] * vertex_normals_[t[2]];
   const double length = normal.norm();
   if (!(length > 1e-12)) normal = Vec3::UnitZ();
-  return {found.point, length > 1e-12 ? Vec3(normal / length) : normal};
+  return {foot, length > 1e-12 ? Vec3(normal / length) : normal};
+}
+
+TangentPlane TetherSurface::plane_at(const Vec3& position) const {
+  const SurfacePoint found = nearest_.nearest(position);
+  return plane_at(found.point, found.triangle);
+}
+
+TangentPlane TetherSurface::plane_at(const Vec3& position, const Vec3& facing) const {
+  const TangentPlane nearest = plane_at(position);
+  if (nearest.normal.dot(facing) > kOtherSide) return nearest;
+  double best = kFarthestSide * kFarthestSide;
+  TangentPlane plane = nearest;
+  visit_triangles(
+      tree_,
+      [&](const BoundingBox& box) {
+        return (position - position.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm() < best;
+      },
+      [&](std::uint32_t triangle) {
+        const Triangle& t = scaled_.triangles[triangle];
+        const Vec3 &a = scaled_.points[t[0]], &b = scaled_.points[t[1]], &c = scaled_.points[t[2]];
+        const Vec3 foot = nearest_on_triangle(position, a, b, c);
+        if ((foot - position).squaredNorm() >= best) return;
+        const TangentPlane candidate = plane_at(foot, triangle);
+        if (candidate.normal.dot(facing) <= kOtherSide) return;
+        best = (foot - position).squaredNorm();
+        plane = candidate;
+      });
+  return plane;
 }
 
 double TetherSurface::distance(const Vec3& position) const { return nearest_.nearest(position).distance; }
 
 Vec3 TetherSurface::nearest(const Vec3& position) const { return nearest_.nearest(position).point; }
 
-std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions) {
+std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions,
+                                         std::span<const TangentPlane> former) {
   std::vector<TangentPlane> planes;
   planes.reserve(positions.size());
-  for (const Vec3& p : positions) planes.push_back(surface.plane_at(p));
+  for (std::size_t a = 0; a < positions.size(); ++a)
+    planes.push_back(former.size() == positions.size() ? surface.plane_at(positions[a], former[a].normal)
+                                                       : surface.plane_at(positions[a]));
   return planes;
 }
 

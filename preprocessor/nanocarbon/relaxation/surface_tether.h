@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nanocarbon/mesh/nearest_point.h"
+#include "nanocarbon/mesh/triangle_tree.h"
 
 namespace nanocarbon {
 
@@ -24,18 +25,26 @@ class TetherSurface {
 
   //! The plane through the nearest point of the surface, with the normal interpolated between vertices.
   TangentPlane plane_at(const Vec3& position) const;
+  //! The same on the part of the surface that faces the given way, wherever there is one: the other side of a
+  //! thin part may be nearer.
+  TangentPlane plane_at(const Vec3& position, const Vec3& facing) const;
 
   double distance(const Vec3& position) const;  //!< to the surface, Angstrom
   Vec3 nearest(const Vec3& position) const;     //!< point of the surface, Angstrom
 
  private:
+  TangentPlane plane_at(const Vec3& foot, std::uint32_t triangle) const;
+
   TriangleMesh scaled_;
   NearestPoint nearest_;
+  TriangleTree tree_;
   std::vector<Vec3> vertex_normals_;
 };
 
-//! Planes for all positions.
-std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions);
+//! Planes for all positions. \param former the planes of the same positions a little earlier, whose side of
+//! the surface is kept; empty for none
+std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions,
+                                         std::span<const TangentPlane> former = {});
 
 //! Height of a position above a plane, Angstrom.
 inline double height_above(const TangentPlane& plane, const Vec3& position) {

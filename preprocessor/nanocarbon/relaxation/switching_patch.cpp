@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "nanocarbon/relaxation/network_guards.h"
 #include "nanocarbon/relaxation/network_springs.h"
 
 namespace nanocarbon {
@@ -162,7 +163,7 @@ void SwitchingPatch::place_added(AtomIndex u, AtomIndex w) {
 double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span<Vec3> gradient) {
   std::copy(free.begin(), free.end(), positions_.begin());
   gradient_.assign(positions_.size(), Vec3::Zero());
-  double energy = rebo2_.evaluate(positions_, gradient_);
+  double energy = rebo2_.evaluate(positions_, gradient_) + add_guards(rebo2_.graph, positions_, gradient_);
   for (std::size_t k = 0; k < free_; ++k) {
     if (!atoms_[k].exists()) continue;
     const double height = height_above(planes_[k], positions_[k]) - mean_height_;

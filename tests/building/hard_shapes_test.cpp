@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nanocarbon/building/build_molecule.h"
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/molecule/connected_pieces.h"
+#include "nanocarbon/structures/shapes.h"
+#include "remeshing/shapes.h"
+
+namespace nanocarbon {
+namespace {
+
+TriangleMesh joined(TriangleMesh one, const TriangleMesh& other, const Vec3& shift) {
+  const auto first = static_cast<VertexIndex>(one.points.size());
+  for (const Vec3& p : other.points) one.points.push_back(p + shift);
+  for (const Triangle& t : other.triangles)
+    one.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return one;
+}
+
+TriangleMesh inside_out(TriangleMesh mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  return mesh;
+}
+
+TriangleMesh flattened(TriangleMesh mesh, double factor) {
+  for (Vec3& p : mesh.points) p.z() *= factor;
+  return mesh;
+}
+
+TriangleMesh tetrahedron() {
+  return {{Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)},
+          {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+}
+
+// The promises of the default recipe, seen from outside.
+void expect_molecule_that_holds(const TriangleMesh& surface, std::size_t atoms) {
+  BuildOptions options;
+  options.size = AtomCount{atoms};
+  options.quality = AnnealQuality::draft;
+  const BuildResult result = build_molecule(surface, options);
+  const Molecule& molecule = result.molecule;
+  EXPECT_TRUE(result.annealed->intact);
+  EXPECT_NEAR(static_cast<double>(molecule.size()), static_cast<double>(atoms),
+              std::max(0.01 * static_cast<double>(atoms), 4.0));
+  const MeshTopology topology = mesh_topology(surface);
+  EXPECT_EQ(connected_pieces(molecule.size(), molecule.bonds).count, topology.pieces);
+  // What REBO2 will see: the bonds and nothing else between 1.7 and 2.0 Angstrom.
+  const NeighbourList near = neighbours_within(molecule.positions, nullptr, 2.0);
+  EXPECT_EQ(near.neighbours.size(), 2 * molecule.bonds.size());
+  for (const Bond& bond : molecule.bonds)
+    EXPECT_LT((molecule.positions[bond.first] - molecule.positions[bond.second]).norm(), 1.7);
+  for (std::size_t r = 0; r < molecule.rings.size(); ++r) {
+    EXPECT_GE(molecule.rings[r].size(), 5u);
+    EXPECT_LE(molecule.rings[r].size(), 7u);
+  }
+  if (topology.boundary_loops > 0) return;
+  EXPECT_EQ(2 * molecule.bonds.size(), 3 * molecule.size());
+  EXPECT_EQ(static_cast<std::int64_t>(molecule.size() + molecule.rings.size()) -
+                static_cast<std::int64_t>(molecule.bonds.size()),
+            topology.euler_characteristic);
+}
+
+TEST(HardShapes, SmallCages) {
+  for (const std::size_t atoms : {60u, 80u, 120u}) expect_molecule_that_holds(make_sphere(1, 8), atoms);
+}
+
+TEST(HardShapes, SharpEdgesAndCorners) {
+  expect_molecule_that_holds(tetrahedron(), 300);
+  expect_molecule_that_holds(test::icosahedron(1), 300);
+}
+
+// A lens 7 Angstrom thick in the middle: two sheets close together, and a rim narrower than any tube.
+TEST(HardShapes, ALensWithASharpRim) { expect_molecule_that_holds(flattened(make_sphere(1, 10), 0.2), 800); }
+
+TEST(HardShapes, PiecesBesideAndWithinEachOther) {
+  expect_molecule_that_holds(joined(make_sphere(1, 8), make_torus(2, 0.8, 0.2), Vec3(6, 0, 0)), 1200);
+  expect_molecule_that_holds(joined(make_sphere(1, 8), inside_out(make_sphere(0.6, 6)), Vec3::Zero()), 1500);
+}
+
+TEST(HardShapes, OpenSurfaces) {
+  expect_molecule_that_holds(make_hemisphere(1, 0.1), 300);
+  expect_molecule_that_holds(make_cylinder(1, 4, 0.2), 500);
+}
+
+}  // namespace
+}  // namespace nanocarbon
