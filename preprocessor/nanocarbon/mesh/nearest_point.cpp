@@ -8,18 +8,30 @@
 namespace nanocarbon {
 namespace {
 
-Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+using Weights = std::array<double, 3>;
+
+// The share of b in the point of a segment that is nearest to p.
+double nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double along = ab.dot(p - a);
   const double whole = ab.squaredNorm();
-  if (along <= 0.0 || whole == 0.0) return a;
-  return along >= whole ? b : Vec3(a + along / whole * ab);
+  if (along <= 0.0 || whole == 0.0) return 0.0;
+  return along >= whole ? 1.0 : along / whole;
 }
 
-Vec3 nearest_on_sides(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  Vec3 best = nearest_on_segment(p, a, b);
-  for (const Vec3& other : {nearest_on_segment(p, b, c), nearest_on_segment(p, c, a)})
-    if ((other - p).squaredNorm() < (best - p).squaredNorm()) best = other;
+Weights nearest_on_sides(const Vec3& p, const std::array<Vec3, 3>& corners) {
+  Weights best{};
+  double best_squared = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const double t = nearest_on_segment(p, corners[i], corners[j]);
+    const double squared = (corners[i] + t * (corners[j] - corners[i]) - p).squaredNorm();
+    if (!(squared < best_squared)) continue;
+    best_squared = squared;
+    best = {};
+    best[i] = 1.0 - t;
+    best[j] = t;
+  }
   return best;
 }
 
@@ -29,21 +41,28 @@ double squared_distance(const BoundingBox& box, const Vec3& p) {
 
 }  // namespace
 
-Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+Weights nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return a;
+  if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0.0 && d4 <= d3) return b;
+  if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0.0 && d5 <= d6) return c;
+  if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
   // Inside the three sides; what rounding leaves of a triangle without area is decided by its sides too.
   if (va > 0.0 && vb > 0.0 && vc > 0.0) {
     const double sum = va + vb + vc;
-    return a + vb / sum * ab + vc / sum * ac;
+    return {va / sum, vb / sum, vc / sum};
   }
-  return nearest_on_sides(p, a, b, c);
+  return nearest_on_sides(p, {a, b, c});
+}
+
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Weights w = nearest_weights(p, a, b, c);
+  if (w[1] == 1.0) return b;
+  if (w[2] == 1.0) return c;
+  return a + w[1] * (b - a) + w[2] * (c - a);
 }
 
 NearestPoint::NearestPoint(const TriangleMesh& mesh)

@@ -17,8 +17,12 @@ struct SurfacePoint {
   double distance;         //!< mesh units
 };
 
-//! \brief The point of a triangle nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
+//! \brief The point of a triangle nearest to p, as weights of its corners (Ericson, Real-Time Collision
+//! Detection, 5.1.5).
 //! \details Triangles without area are handled as the segment or point that they are.
+std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+//! The point itself; exactly a corner where that is nearest.
 Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 //! \brief Finds the exact nearest point on the triangles of a mesh.

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nanocarbon/remeshing/closest_on_triangle.h"
-
 namespace nanocarbon {
 namespace {
 
@@ -79,7 +77,7 @@ void SurfaceGuide::smooth_normals(double length) {
 Foot SurfaceGuide::closest_on(const Vec3& p, std::uint32_t triangle) const {
   const Triangle& t = mesh_.triangles[triangle];
   const Vec3 &a = mesh_.points[t[0]], &b = mesh_.points[t[1]], &c = mesh_.points[t[2]];
-  const auto w = closest_weights(p, a, b, c);
+  const auto w = nearest_weights(p, a, b, c);
   return {w[0] * a + w[1] * b + w[2] * c, w, triangle};
 }
 

@@ -6,6 +6,7 @@ ThesisOptions hauck2015_options() {
   ThesisOptions options;
   options.valence_error = ValenceError::linear;
   options.repeat_valences = false;
+  options.impose_valences = false;
   options.nearest_vertices = 1;
   return options;
 }

@@ -42,6 +42,7 @@ struct ThesisOptions {
   VisitedMarks marks = VisitedMarks::either_end;
   ValenceError valence_error = ValenceError::quadratic;
   bool repeat_valences = true;    //!< the valence optimiser repeats until nothing improves
+  bool impose_valences = true;    //!< 5 to 7, at the end, by sequences of flips (valence_repair.h)
   unsigned nearest_vertices = 5;  //!< of the projection mesh, around which triangles are candidates
   PostProcessing post_processing = PostProcessing::at_end;
 

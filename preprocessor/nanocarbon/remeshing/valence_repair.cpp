@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include "nanocarbon/remeshing/soundness.h"
@@ -90,6 +91,16 @@ ValenceRepair repair_valences(Tiling& tiling) {
     if (!changed) break;
   }
   return result;
+}
+
+ValenceRepair repair_valences(Triangulation& mesh) {
+  TriangleMesh plain = to_triangle_mesh(mesh);
+  const SurfaceGuide guide(plain, std::numeric_limits<double>::infinity());
+  Tiling tiling = tiling_of(guide);
+  const ValenceRepair repair = repair_valences(tiling);
+  plain.triangles = tiling.table.triangles();
+  mesh = to_triangulation(plain);
+  return repair;
 }
 
 }  // namespace nanocarbon

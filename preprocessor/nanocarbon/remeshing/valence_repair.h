@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "nanocarbon/remeshing/tiling.h"
+#include "nanocarbon/remeshing/triangulation.h"
 
 namespace nanocarbon {
 
@@ -16,5 +17,9 @@ struct ValenceRepair {
 //! \details A sequence is taken when it lowers a penalty that counts a valence of 4 or 8 as eight of 5 or 7.
 //! Flips may distort triangles; even edges afterwards.
 ValenceRepair repair_valences(Tiling& tiling);
+
+//! The same for a compact triangulation: its own smoothed normals tell which flips would fold it. No vertex
+//! moves.
+ValenceRepair repair_valences(Triangulation& mesh);
 
 }  // namespace nanocarbon
