@@ -149,7 +149,28 @@ bool PairReboOpt::near_pairs_are_good() const {
   return farthest <= 0.25 * margin * margin;
 }
 
+// Pairs that a data file's bonds and special_bonds take out of the lists are those that matter most here.
+// What is left depends on which rank holds an atom, and rebo computes something without meaning from it.
+void PairReboOpt::refuse_missing_neighbours() const {
+  if (atom->molecular != Atom::MOLECULAR) return;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (element_of_type_[atom->type[i]] < 0) continue;
+    for (int from = 0, shell = 0; shell < 3; from = atom->nspecial[i][shell++]) {
+      if (neighbor->special_flag[shell + 1] != 0) continue;  // kept in the lists
+      for (int k = from; k < atom->nspecial[i][shell]; ++k) {
+        const int j = atom->map(atom->special[i][k]);
+        if (j < 0 || element_of_type_[atom->type[j]] < 0) continue;
+        error->one(FLERR,
+                   "Pair style rebo/opt needs the neighbors that special_bonds takes out, such as atoms " +
+                       std::to_string(atom->tag[i]) + " and " + std::to_string(atom->tag[j]) +
+                       ": use special_bonds lj/coul 1 1 1");
+      }
+    }
+  }
+}
+
 void PairReboOpt::find_near_pairs() {
+  if (neighbor->ago == 0) refuse_missing_neighbours();
   const int all = atom->nlocal + atom->nghost;
   const double* x = all > 0 ? atom->x[0] : nullptr;
   listed_positions_.assign(x, x + 3 * std::size_t(all));

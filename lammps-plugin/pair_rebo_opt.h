@@ -31,6 +31,7 @@ class PairReboOpt : public LAMMPS_NS::Pair {
   Rebo2Parameters read_parameters(const char* file) const;
   bool near_pairs_are_good() const;
   void find_near_pairs();
+  void refuse_missing_neighbours() const;
   void add_virials();
 
   std::vector<int> element_of_type_;  // Element, or -1 for NULL

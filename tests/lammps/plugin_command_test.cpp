@@ -160,6 +160,31 @@ TEST(FixBondTopologyErrors, DynamicGroupsAreRefused) {
   EXPECT_THAT(result.output, HasSubstr("dynamic group"));
 }
 
+// Two bonded carbon atoms, of the given types, as a data file with bonds makes them.
+std::string bonded_pair(const std::string& special_bonds, const std::string& elements) {
+  return load + "units metal\natom_style bond\nboundary f f f\n" + special_bonds +
+         "region box block 0 20 0 20 0 20\ncreate_box 2 box bond/types 1 extra/bond/per/atom 2 "
+         "extra/special/per/atom 4\n"
+         "create_atoms 1 single 10 10 10\ncreate_atoms 2 single 11.4 10 10\nmass * 12.011\n"
+         "bond_style zero\nbond_coeff 1\ncreate_bonds single/bond 1 1 2\n"
+         "pair_style hybrid/overlay rebo/opt zero 4.0\npair_coeff * * zero\npair_coeff * * "
+         "rebo/opt " NANOCARBON_CH_REBO " " +
+         elements + "\nrun 0\n";
+}
+
+TEST(ReboOptErrors, BondsThatSpecialBondsTakesOutAreAnError) {
+  expect_error(
+      run_script(program, bonded_pair("", "C C")),
+      "rebo/opt needs the neighbors that special_bonds takes out, such as atoms 1 and 2: use special_bonds "
+      "lj/coul 1 1 1");
+  for (const std::string& fine :
+       {bonded_pair("special_bonds lj/coul 1 1 1\n", "C C"),
+        bonded_pair("special_bonds lj/coul 1e-50 1 1\n", "C C"), bonded_pair("", "C NULL")}) {
+    const ScriptResult result = run_script(program, fine);
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+  }
+}
+
 TEST(FixBondTopologyOutput, SummaryInTheLogAndPicturesWithBonds) {
   const ScriptResult result =
       run_script(program, load + square() +
