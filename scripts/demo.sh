@@ -28,9 +28,10 @@ install_missing "${build_packages[@]}" "${lammps_packages[@]}"
 cmake --build --preset release --target nanocarbon lmp-nanocarbon nanocarbonplugin
 program=build/release/preprocessor/cli/nanocarbon
 lammps=build/release/lammps-plugin/lmp-nanocarbon
-plugin=$PWD/build/release/lammps-plugin/nanocarbonplugin.so
+plugin=build/release/lammps-plugin/nanocarbonplugin.so
 
-name=$(basename "${mesh%.*}")
+# LAMMPS scripts cannot name files with spaces in them.
+name=$(basename "${mesh%.*}" | LC_ALL=C tr -c 'A-Za-z0-9._\n-' '_')
 folder=out/$name
 mkdir -p "$folder"
 data=$folder/$name.data
