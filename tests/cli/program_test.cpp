@@ -254,6 +254,19 @@ TEST_F(Program, SameInputAndSeedGiveTheSameBytes) {
   EXPECT_GT(body("a.xyz").size(), 1000u);
 }
 
+// OpenMP's threads introduce themselves; without being told it would take as many as there are cores.
+TEST_F(Program, UsesAsManyThreadsAsItIsAllowed) {
+  setenv("OMP_DISPLAY_AFFINITY", "TRUE", 1);
+  setenv("OMP_AFFINITY_FORMAT", "openmp thread %n", 1);
+  const std::string build =
+      "build " + octahedron() + " --atoms 100 --quality draft -q -o " + path("out.data");
+  const Outcome one = run(build + " --threads 1"), two = run(build + " --threads 2");
+  unsetenv("OMP_DISPLAY_AFFINITY");
+  unsetenv("OMP_AFFINITY_FORMAT");
+  EXPECT_THAT(two.err, HasSubstr("openmp thread 1"));
+  EXPECT_THAT(one.err, testing::Not(HasSubstr("openmp thread 1")));
+}
+
 TEST_F(Program, QuietPrintsNothing) {
   const Outcome outcome =
       run("build " + octahedron() + " --quality draft --atoms 300 --quiet -o " + path("out.data"));

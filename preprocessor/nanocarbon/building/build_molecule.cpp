@@ -67,6 +67,7 @@ void require_shape(const BuildResult& result) {
 void build_by_thesis(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
   ThesisOptions thesis = options.thesis;
+  thesis.threads = options.threads;
   // A number of atoms is met by adjusting the scale on the way; a length or a scale is the user's own.
   if (std::holds_alternative<AtomCount>(options.size) ||
       std::holds_alternative<AtomPerTriangle>(options.size))
@@ -97,8 +98,8 @@ CrystalQuality crystal_quality(AnnealQuality quality) {
   return CrystalQuality::good;
 }
 
-void require_room_for_features(const SizedSurface& surface) {
-  const FeatureReport features = check_features(surface.mesh, surface.atoms);
+void require_room_for_features(const SizedSurface& surface, int threads) {
+  const FeatureReport features = check_features(surface.mesh, surface.atoms, {}, threads);
   if (features.ok()) return;
   const FeatureProblem& worst = features.problems.front();
   const Vec3 where = worst.where / surface.scale;
@@ -113,7 +114,7 @@ void require_room_for_features(const SizedSurface& surface) {
 
 void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
-  if (!options.force) require_room_for_features(result.surface);
+  if (!options.force) require_room_for_features(result.surface, options.threads);
   const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
     Stopwatch crystal;
     CrystalResult made = crystallise(surface, {.faces = faces,

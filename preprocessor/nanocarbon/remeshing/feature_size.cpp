@@ -114,11 +114,11 @@ struct Shortfalls {
   Shortfall part, plate, gap;
 };
 
-Shortfalls measure(const Facets& facets, const FeatureLimits& limits) {
+Shortfalls measure(const Facets& facets, const FeatureLimits& limits, int threads) {
   const std::size_t n = facets.centres.size();
   const Shortfall none(n, std::numeric_limits<double>::infinity());
   Shortfalls result{none, none, none};
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, 256) num_threads(threads)
   for (std::uint32_t t = 0; t < n; ++t) {
     if (const auto outer = opposite(facets, t, 1, limits.sheet_distance))
       result.gap[t] = outer->distance / limits.sheet_distance;
@@ -197,11 +197,12 @@ std::string_view name(FeatureKind kind) {
   return "";
 }
 
-FeatureReport check_features(const TriangleMesh& surface, std::size_t atoms, const FeatureLimits& limits) {
+FeatureReport check_features(const TriangleMesh& surface, std::size_t atoms, const FeatureLimits& limits,
+                             int threads) {
   SurfaceGuide guide(surface, 0.7 * ring_spacing);
   guide.smooth_normals(0.5 * ring_spacing);
   const Facets facets(guide);
-  const Shortfalls shortfalls = measure(facets, limits);
+  const Shortfalls shortfalls = measure(facets, limits, threads);
   FeatureReport report;
   collect(guide, facets, shortfalls.part, FeatureKind::thin_part, limits, report.problems);
   collect(guide, facets, shortfalls.plate, FeatureKind::thin_plate, limits, report.problems);

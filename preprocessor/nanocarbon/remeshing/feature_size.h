@@ -51,7 +51,8 @@ struct FeatureReport {
 //!
 //! \param surface in Angstrom, scaled to hold the atoms
 //! \param atoms what `smallest_atoms` is scaled from
-FeatureReport check_features(const TriangleMesh& surface, std::size_t atoms,
-                             const FeatureLimits& limits = {});
+//! \param threads to use; they do not change the result
+FeatureReport check_features(const TriangleMesh& surface, std::size_t atoms, const FeatureLimits& limits = {},
+                             int threads = 1);
 
 }  // namespace nanocarbon

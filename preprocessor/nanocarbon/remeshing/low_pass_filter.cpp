@@ -4,10 +4,10 @@
 
 namespace nanocarbon {
 
-LowPassResult low_pass_filter(VertexStars& stars, unsigned rings) {
+LowPassResult low_pass_filter(VertexStars& stars, unsigned rings, int threads) {
   const auto n = static_cast<std::ptrdiff_t>(stars.vertices());
   std::vector<Vec3> moves(stars.vertices(), Vec3::Zero());
-#pragma omp parallel if (n > least_points_for_threads)
+#pragma omp parallel num_threads(n > least_points_for_threads ? threads : 1)
   {
     RingSearch search(stars);
 #pragma omp for schedule(static)

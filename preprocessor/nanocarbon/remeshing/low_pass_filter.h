@@ -15,6 +15,7 @@ struct LowPassResult {
 //! vertices stay. Line 5 as printed adds every neighbour to v_j; it is read as a sum that starts from zero,
 //! as the text of section 4.3 has it (the centre of mass of its neighbours).
 //! \param rings k, at least 1
-LowPassResult low_pass_filter(VertexStars& stars, unsigned rings);
+//! \param threads to use at most; they do not change the result
+LowPassResult low_pass_filter(VertexStars& stars, unsigned rings, int threads = 1);
 
 }  // namespace nanocarbon

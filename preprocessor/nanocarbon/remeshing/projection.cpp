@@ -98,10 +98,10 @@ Vec3 ProjectionMesh::project(const Vec3& point, unsigned nearest_vertices) const
 }
 
 ProjectionTotals project_points(std::vector<Vec3>& points, const ProjectionMesh& surface,
-                                unsigned nearest_vertices) {
+                                unsigned nearest_vertices, int threads) {
   const auto n = static_cast<std::ptrdiff_t>(points.size());
   std::vector<double> moves(points.size());
-#pragma omp parallel for schedule(static) if (n > least_points_for_threads)
+#pragma omp parallel for schedule(static) num_threads(n > least_points_for_threads ? threads : 1)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const auto v = static_cast<std::size_t>(i);
     const Vec3 projected = surface.project(points[v], nearest_vertices);

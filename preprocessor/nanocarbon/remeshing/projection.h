@@ -34,6 +34,6 @@ struct ProjectionTotals {
 
 //! Projects every point, each by itself; threads do not change the result.
 ProjectionTotals project_points(std::vector<Vec3>& points, const ProjectionMesh& surface,
-                                unsigned nearest_vertices);
+                                unsigned nearest_vertices, int threads = 1);
 
 }  // namespace nanocarbon

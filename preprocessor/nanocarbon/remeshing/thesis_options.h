@@ -46,6 +46,8 @@ struct ThesisOptions {
   unsigned nearest_vertices = 5;  //!< of the projection mesh, around which triangles are candidates
   PostProcessing post_processing = PostProcessing::at_end;
 
+  int threads = 1;  //!< to use at most
+
   std::function<void(const ThesisProgress&)> progress;  //!< called after every iteration, where set
 };
 

@@ -121,11 +121,13 @@ class Recipe {
       timed(result_.seconds.local, [&] { add(result_.local, optimise_locally(stars, local_options(true))); });
       ++result_.local_iterations;
     } else {
-      timed(result_.seconds.low_pass, [&] { return low_pass_filter(stars, options_.rings); });
+      timed(result_.seconds.low_pass,
+            [&] { return low_pass_filter(stars, options_.rings, options_.threads); });
       ++result_.low_pass_iterations;
     }
-    timed(result_.seconds.projection,
-          [&] { return project_points(stars.points, projection_mesh_, options_.nearest_vertices); });
+    timed(result_.seconds.projection, [&] {
+      return project_points(stars.points, projection_mesh_, options_.nearest_vertices, options_.threads);
+    });
     set_points(mesh_, stars);
     adjust_scale();
   }
