@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "nanocarbon/building/build_molecule.h"
 #include "nanocarbon/core/error.h"
@@ -31,14 +33,31 @@ TriangleMesh flattened(TriangleMesh mesh, double factor) {
   return mesh;
 }
 
+// A round plate of the given radius and thickness, with a half-round rim.
+TriangleMesh pill(double radius, double thickness) {
+  TriangleMesh mesh = make_sphere(1, 24);
+  const double rim = std::numbers::pi * thickness / 2, whole = 2 * radius + rim;
+  for (Vec3& p : mesh.points) {
+    const double along = std::acos(std::clamp(p.z(), -1.0, 1.0)) / std::numbers::pi * whole;
+    const double turn = std::clamp((along - radius) / rim, 0.0, 1.0) * std::numbers::pi;
+    const double flat = along < radius ? along : along > radius + rim ? whole - along : radius;
+    const double out = flat + (flat == radius ? 0.5 * thickness * std::sin(turn) : 0);
+    const double across = std::hypot(p.x(), p.y());
+    const double share = across > 0 ? out / across : 0;
+    p = Vec3(share * p.x(), share * p.y(), 0.5 * thickness * std::cos(turn));
+  }
+  return mesh;
+}
+
 TriangleMesh tetrahedron() {
   return {{Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)},
           {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
 }
 
 // The promises of the default recipe, seen from outside.
-void expect_molecule_that_holds(const TriangleMesh& surface, std::size_t atoms) {
+void expect_molecule_that_holds(const TriangleMesh& surface, std::size_t atoms, bool force = false) {
   BuildOptions options;
+  options.force = force;
   options.size = AtomCount{atoms};
   options.quality = AnnealQuality::draft;
   const BuildResult result = build_molecule(surface, options);
@@ -73,8 +92,11 @@ TEST(HardShapes, SharpEdgesAndCorners) {
   expect_molecule_that_holds(test::icosahedron(1), 300);
 }
 
-// A lens 7 Angstrom thick in the middle: two sheets close together, and a rim narrower than any tube.
+// 7 Angstrom thick in the middle, with a rim narrower than any tube.
 TEST(HardShapes, ALensWithASharpRim) { expect_molecule_that_holds(flattened(make_sphere(1, 10), 0.2), 800); }
+
+// Sheets 2.5 Angstrom apart: refused, but with --force the molecule makes the room it needs.
+TEST(HardShapes, APlateThinnerThanTwoSheets) { expect_molecule_that_holds(pill(14, 2.5), 608, true); }
 
 TEST(HardShapes, PiecesBesideAndWithinEachOther) {
   expect_molecule_that_holds(joined(make_sphere(1, 8), make_torus(2, 0.8, 0.2), Vec3(6, 0, 0)), 1200);

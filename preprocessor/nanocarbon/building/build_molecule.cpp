@@ -13,6 +13,7 @@
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/remeshing/crystallise.h"
 #include "nanocarbon/remeshing/feature_size.h"
+#include "nanocarbon/remeshing/make_room.h"
 
 namespace nanocarbon {
 namespace {
@@ -112,6 +113,18 @@ void require_room_for_features(const SizedSurface& surface, int threads) {
           where.z(), worst.needed, features.smallest_atoms));
 }
 
+void require_rings_of_carbon(const Molecule& molecule) {
+  std::size_t wrong = 0;
+  for (std::size_t r = 0; r < molecule.rings.size(); ++r)
+    wrong += molecule.rings[r].size() < 5 || molecule.rings[r].size() > 8;
+  if (wrong > 0)
+    throw UserError(
+        Failure::failed,
+        fmt::format("{} ring(s) have fewer than 5 or more than 8 atoms, for parts of the shape are too "
+                    "narrow; ask for more atoms, or take it as it is with --force",
+                    wrong));
+}
+
 void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
   if (!options.force) require_room_for_features(result.surface, options.threads);
@@ -130,7 +143,9 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
                           .threads = static_cast<unsigned>(options.threads),
                           .progress = options.progress};
   if (options.tether) annealing.tether = *options.tether;
-  result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, annealing);
+  const std::optional<TriangleMesh> roomy = with_room_for_sheets(result.surface.mesh);
+  result.annealed =
+      anneal(roomy ? *roomy : result.surface.mesh, result.surface.atoms, triangulate, annealing);
   result.molecule = std::exchange(result.annealed->molecule, {});
   if (!result.annealed->intact && !options.force)
     throw UserError(
@@ -140,6 +155,7 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
             "ask for more atoms, or take it as it is with --force",
             result.annealed->shortest_bond, result.annealed->longest_bond,
             result.annealed->closest_unbonded));
+  if (!options.force) require_rings_of_carbon(result.molecule);
   if (options.certify) {
     if (options.progress) options.progress("certifying", 0.0);
     result.certificate =

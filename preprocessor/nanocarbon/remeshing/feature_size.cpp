@@ -8,77 +8,13 @@
 #include <numeric>
 #include <optional>
 
-#include "nanocarbon/mesh/mesh_topology.h"
-#include "nanocarbon/mesh/nearest_point.h"
-#include "nanocarbon/mesh/triangle_tree.h"
-#include "nanocarbon/remeshing/surface_guide.h"
+#include "nanocarbon/remeshing/opposite_sides.h"
 
 namespace nanocarbon {
 namespace {
 
 // An equilateral triangle for each atom has this edge, sqrt(3) bonds of 1.42 Angstrom.
 constexpr double ring_spacing = 2.46;
-// Sides lie along each other where the cosine between their normals is beyond this: wedges below 32 degrees.
-constexpr double along = 0.85;
-// The place opposite is sought within 45 degrees of the normal.
-constexpr double within_cone = 0.7;
-
-double squared_distance(const BoundingBox& box, const Vec3& p) {
-  return (p - p.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm();
-}
-
-//! Triangles of the guide with what the search asks of them.
-struct Facets {
-  const TriangleMesh& mesh;
-  TriangleTree tree;
-  std::vector<Vec3> centres, normals;
-  std::vector<double> areas;
-  std::vector<std::uint32_t> pieces;  //!< connected piece of the surface
-
-  explicit Facets(const SurfaceGuide& guide) : mesh(guide.mesh()), tree(triangle_tree(mesh)) {
-    const MeshTopology topology = mesh_topology(mesh);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle& f = mesh.triangles[t];
-      const Vec3 &a = mesh.points[f[0]], &b = mesh.points[f[1]], &c = mesh.points[f[2]];
-      centres.push_back((a + b + c) / 3);
-      areas.push_back(0.5 * (b - a).cross(c - a).norm());
-      pieces.push_back(topology.piece_of_face[t]);
-      normals.push_back(guide.normal({centres.back(), {1.0 / 3, 1.0 / 3, 1.0 / 3}, t}));
-    }
-  }
-};
-
-struct Opposite {
-  Vec3 point = Vec3::Zero();
-  double distance = 0;
-  bool parallel = false;  //!< it faces the same way: another piece inside or outside of this one
-};
-
-//! The nearest place within `reach` along the normal that lies along this one, on the side of the surface
-//! that `side` (1 or -1) says.
-std::optional<Opposite> opposite(const Facets& facets, std::uint32_t from, double side, double reach) {
-  const Vec3& p = facets.centres[from];
-  const Vec3& n = facets.normals[from];
-  double best = reach * reach;
-  Opposite found;
-  visit_triangles(
-      facets.tree, [&](const BoundingBox& box) { return squared_distance(box, p) < best; },
-      [&](std::uint32_t t) {
-        const double cosine = facets.normals[t].dot(n);
-        if (cosine > -along && (cosine < along || facets.pieces[t] == facets.pieces[from])) return;
-        const Triangle& f = facets.mesh.triangles[t];
-        const Vec3 q = nearest_on_triangle(p, facets.mesh.points[f[0]], facets.mesh.points[f[1]],
-                                           facets.mesh.points[f[2]]);
-        const double d2 = (q - p).squaredNorm();
-        if (d2 >= best || side * (q - p).dot(n) <= within_cone * std::sqrt(d2)) return;
-        best = d2;
-        found = {q, 0, cosine > 0};
-      });
-  if (best >= reach * reach) return std::nullopt;
-  found.distance = std::sqrt(best);
-  return found;
-}
-
 //! Whether the surface goes all the way round a centre: a limb does, a plate and its rim do not.
 bool goes_round(const Facets& facets, const Vec3& centre, double width) {
   const double reach = 0.9 * width;
