@@ -143,10 +143,14 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
                           .threads = static_cast<unsigned>(options.threads),
                           .progress = options.progress};
   if (options.tether) annealing.tether = *options.tether;
+  annealing.keep_size =
+      std::holds_alternative<LongestSide>(options.size) || std::holds_alternative<UnitScale>(options.size);
   const std::optional<TriangleMesh> roomy = with_room_for_sheets(result.surface.mesh);
   result.annealed =
       anneal(roomy ? *roomy : result.surface.mesh, result.surface.atoms, triangulate, annealing);
   result.molecule = std::exchange(result.annealed->molecule, {});
+  result.surface.scale *= result.annealed->growth;
+  for (Vec3& point : result.surface.mesh.points) point *= result.annealed->growth;
   if (!result.annealed->intact && !options.force)
     throw UserError(
         Failure::failed,

@@ -33,7 +33,7 @@ struct BuildOptions {
   //! @{
   double bond_length = 1.42;  //!< that the size is reckoned with, Angstrom
   AnnealQuality quality = AnnealQuality::good;
-  std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: by size
+  std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: default_tether
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
   bool certify = false;           //!< prove that the molecule is at a minimum (certificate.h)
   //! @}

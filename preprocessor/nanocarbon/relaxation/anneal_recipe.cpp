@@ -12,6 +12,7 @@
 #include "nanocarbon/relaxation/geometry_check.h"
 #include "nanocarbon/relaxation/minimise_rebo2.h"
 #include "nanocarbon/relaxation/refine_network.h"
+#include "nanocarbon/relaxation/spring_back.h"
 
 namespace nanocarbon {
 
@@ -21,13 +22,19 @@ constexpr std::size_t kCoarsest = 200;  // atoms: fewer cannot show a shape
 
 constexpr std::size_t kSmall = 1800;  // atoms up to which a hot start at full size is affordable
 
-// What REBO2 must see, with a margin for what happens when the tether goes: whole bonds end at 1.7 Angstrom,
-// and other atoms are seen from 2.0.
 // Atoms farther from the surface than this in the mean, multiplied up to the full size, have lost the shape,
 // Angstrom.
 constexpr double kCoarseDistance = 3;
-constexpr int kMendings = 2;
+
+// Spring-back from the surface that is left as it is, Angstrom, and the price of more of it, eV for each atom
+// and Angstrom: what decides between two molecules.
+constexpr double kFineDistance = 0.8, kDistancePrice = 0.01;
+constexpr int kCompensations = 2;
+
+// What REBO2 must see, with a margin for what happens when the tether goes: whole bonds end at 1.7 Angstrom,
+// and other atoms are seen from 2.0.
 constexpr double kSafeBond = 1.66, kSafeDistance = 2.05;
+constexpr int kMendings = 2;
 
 struct Level {
   SwitchingState state;
@@ -37,11 +44,6 @@ struct Level {
   double mean_distance = 0;  // of the atoms to the surface, Angstrom
   bool sound = false;
 };
-
-double tether_for(const AnnealOptions& options, std::size_t atoms) {
-  if (options.tether >= 0) return options.tether;
-  return atoms <= 2500 ? 0.05 : 0.01;
-}
 
 // Nothing where parts are so thin for the number of atoms that a triangulation pinches them.
 std::optional<Level> try_start(const TriangleMesh& surface, double scale, std::size_t atoms,
@@ -57,7 +59,7 @@ std::optional<Level> try_start(const TriangleMesh& surface, double scale, std::s
   }
   for (const Triangle& t : mesh.triangles)
     level.state.positions.push_back((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
-  level.state.tether = tether_for(options, atoms);
+  level.state.tether = options.tether;
   return level;
 }
 
@@ -105,16 +107,16 @@ class Recipe {
 
   AnnealResult run() {
     AnnealResult result;
-    const TetherSurface tether_surface(surface_, 1);
     Level level = full_size_level();
-    relax_level(level, tether_surface);
+    relax_level(level, TetherSurface(surface_, 1));
     result.unannealed_energy = level.unannealed;
     if (options_.quality != AnnealQuality::draft) {
       result.refinements = begin_coarse(level);
-      anneal_level(level, tether_surface,
+      anneal_level(level, TetherSurface(surface_, 1),
                    result.refinements > 0 ? fine_switching(0) : single_level_switching());
+      come_closer(level);
     }
-    finish(level, tether_surface, result);
+    finish(level, result);
     return result;
   }
 
@@ -177,7 +179,7 @@ class Recipe {
       for (int left = refinements - 1; left >= 0 && level; --left) {
         const TetherSurface tether_surface(surface_, scale(left));
         level->state = refined_in_four(level->state, tether_surface);
-        level->state.tether = tether_for(options_, atoms(left));
+        level->state.tether = options_.tether;
         relax_level(*level, tether_surface);
         if (!level->sound) level.reset();
         if (level && left > 0) anneal_level(*level, tether_surface, fine_switching(left));
@@ -219,21 +221,71 @@ class Recipe {
     return std::ldexp(level.mean_distance, refinements) < kCoarseDistance;
   }
 
-  void finish(Level& level, const TetherSurface& tether_surface, AnnealResult& result) {
+  // Where the molecule springs back too far once it is let go, switches more bonds while it is held on the
+  // other side; keeps what that gains.
+  void come_closer(Level& level) {
+    SpringBack now = spring_back(level.state, TetherSurface(surface_, 1), !options_.keep_size);
+    for (int round = 0; round < kCompensations && now.mean_distance > kFineDistance; ++round) {
+      const double former_growth = growth_;
+      Level closer = level;
+      compensate(closer.state, now);
+      const double factor = std::sqrt(1 / now.fit.scale);
+      grow(factor);
+      for (Vec3& p : closer.state.positions) p *= factor;
+      BondSwitchingOptions again = switching(atoms_);
+      again.hot = 0.3;
+      again.blocks = 4;
+      again.trials_per_defect = 60;
+      again.seed += 10000 + static_cast<std::uint64_t>(round);
+      anneal_level(closer, TetherSurface(surface_, 1), again);
+      const SpringBack then = spring_back(closer.state, TetherSurface(surface_, 1), !options_.keep_size);
+      if (merit(then) >= merit(now)) {
+        grow(former_growth / growth_);
+        break;
+      }
+      level = std::move(closer);
+      now = then;
+    }
+  }
+
+  static double merit(const SpringBack& b) {
+    return b.energy + kDistancePrice * std::max(b.mean_distance, kFineDistance);
+  }
+
+  void grow(double factor) {
+    growth_ *= factor;
+    for (Vec3& p : surface_.points) p *= factor;
+  }
+
+  // Moves the molecule to where it fits the surface best, and the surface to the size that fits it.
+  void align(AnnealResult& result) {
+    std::vector<Vec3>& positions = result.molecule.positions;
+    const Similarity fit = fit_to_surface(positions, TetherSurface(surface_, 1), !options_.keep_size);
+    grow(1 / fit.scale);
+    for (Vec3& p : positions) p = fit(p) / fit.scale;
+    result.growth = growth_;
+    const TetherSurface tether_surface(surface_, 1);
+    result.mean_distance = 0;
+    for (const Vec3& p : positions)
+      result.mean_distance += tether_surface.distance(p) / static_cast<double>(positions.size());
+  }
+
+  void finish(Level& level, AnnealResult& result) {
     tell("minimising", 0);
     FixedBondModel model;
     for (int attempt = 0; attempt <= kMendings && !result.intact; ++attempt) {
       if (attempt > 0) {
         level.sound = false;
-        mend_level(level, tether_surface, switching(atoms_));
+        mend_level(level, TetherSurface(surface_, 1), switching(atoms_));
       }
       // Without the tether, still on fixed bonds: the way to the minimum may stretch bonds that the end does
-      // not.
+      // not. For the rest of the way the full potential is as safe and faster; where it was not, again.
       model = {};
       model.rebo2.graph = fixed_bond_graph(level.state.network);
       std::vector<Vec3> positions = level.state.positions;
-      minimise_fixed_bonds(model, nullptr, positions,
-                           {.max_iterations = 2000, .force_tolerance = 3 * options_.force_tolerance});
+      minimise_fixed_bonds(
+          model, nullptr, positions,
+          {.max_iterations = 2000, .force_tolerance = (attempt == 0 ? 50 : 3) * options_.force_tolerance});
       result.molecule = molecule_of(level.state.network, positions);
       const auto relaxed = minimise_rebo2(result.molecule, {.force_tolerance = options_.force_tolerance});
       result.energy = relaxed.energy / static_cast<double>(result.molecule.size());
@@ -246,11 +298,11 @@ class Recipe {
     result.shortest_bond = check.shortest_bond;
     result.longest_bond = check.longest_bond;
     result.closest_unbonded = check.closest_unbonded;
-    for (const Vec3& p : result.molecule.positions)
-      result.mean_distance += tether_surface.distance(p) / static_cast<double>(result.molecule.size());
+    align(result);
   }
 
-  const TriangleMesh& surface_;
+  TriangleMesh surface_;  // Angstrom; grows until it fits the molecule
+  double growth_ = 1;
   const std::size_t atoms_;
   const Triangulator& triangulate_;
   const AnnealOptions& options_;

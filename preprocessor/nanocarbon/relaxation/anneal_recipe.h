@@ -21,12 +21,19 @@ enum class AnnealQuality {
 using Triangulator =
     std::function<TriangleMesh(const TriangleMesh& surface, std::size_t faces, std::uint64_t seed)>;
 
+//! Stiff enough that bond switches feel within their reach what bends the sheet away from the surface:
+//! (1.4 eV, graphene's bending rigidity, over the tether for each area)^(1/4) is 3 Angstrom. eV/Angstrom^2.
+inline constexpr double default_tether = 0.05;
+
 struct AnnealOptions {
   AnnealQuality quality = AnnealQuality::good;
-  double tether = -1;             //!< eV/Angstrom^2 to the surface while annealing; below zero: by size
-  double force_tolerance = 1e-3;  //!< eV/Angstrom, of the last minimisation
+  double tether = default_tether;  //!< to the surface while annealing, eV/Angstrom^2
+  double force_tolerance = 1e-3;   //!< eV/Angstrom, of the last minimisation
   std::uint64_t seed = 1;
   unsigned threads = 1;
+  //! Keep the surface's size. Otherwise, as the number of atoms is what is asked for, it becomes what fits
+  //! best.
+  bool keep_size = false;
   std::function<void(std::string_view stage, double share)> progress = {};
 };
 
@@ -37,6 +44,7 @@ struct AnnealResult {
   double energy = 0;             //!< eV for each atom
   double max_force = 0;          //!< eV/Angstrom
   double mean_distance = 0;      //!< of the atoms to the surface, Angstrom
+  double growth = 1;             //!< the surface times this fits the molecule
   double shortest_bond = 0;      //!< Angstrom
   double longest_bond = 0;       //!< Angstrom
   double closest_unbonded = 0;   //!< Angstrom, at most 2.2 (geometry_check.h)
@@ -49,8 +57,9 @@ struct AnnealResult {
 //!
 //! Triangulates the surface and relaxes the dual. Anneals also at a quarter (or a sixteenth) of the atoms,
 //! refines, and goes on from there where that has less energy. Anneals at full size, and minimises the full
-//! potential without a tether; where REBO2 would then see other bonds than the molecule's, mends the place
-//! and minimises again.
+//! potential without a tether; where the molecule would then spring back far from the surface, anneals it
+//! held against that, and where REBO2 would see other bonds than the molecule's, mends the place first. In
+//! the end the molecule is moved to where it fits the surface best.
 //!
 //! \param surface Angstrom; a sound oriented 2-manifold, with or without border
 //! \param atoms wanted; met within one percent where the surface allows

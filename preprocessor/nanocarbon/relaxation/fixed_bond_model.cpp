@@ -20,7 +20,10 @@ LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const TetherSurface* sur
   LbfgsResult result;
   int iterations = 0;
   do {
-    if (surface) model.planes = tangent_planes(*surface, positions, model.planes);
+    if (surface) {
+      model.planes = tangent_planes(*surface, positions, model.planes);
+      lift_planes(model.planes, model.lift);
+    }
     LbfgsOptions part = options;
     part.max_iterations = options.max_iterations - iterations;
     if (surface) part.max_iterations = std::min(part.max_iterations, renewal);

@@ -17,6 +17,7 @@ struct SwitchingState {
   double tether = 0.05;     //!< eV/Angstrom^2
   double mean_height = 0;   //!< Angstrom, where the tether is at rest; as of the last relaxation of the whole
   StericContacts contacts;  //!< as of the last relaxation of the whole
+  std::vector<double> lift = {};  //!< Angstrom above the surface at which atoms are held; empty: none
 };
 
 //! \brief The surroundings of a bond switch, copied so that trials can run side by side on one state.
