@@ -102,6 +102,9 @@ void add_thesis_options(CLI::App& sub, BuildCommand& c) {
       ->add_option("--local-threshold", c.local_threshold,
                    "Percentage of edges outside the interval below which optimisation is local, s (5)")
       ->check(between(0.0, 100.0));
+  group->add_flag(
+      "--relax", c.build.relax,
+      "Relax the dual to a minimum of REBO2 with the bonds it has, as the annealed recipe does first");
   add_choice(*group, "--visited", c.visited,
              {{"either", VisitedMarks::either_end}, {"both", VisitedMarks::both_ends}},
              "A stellar operation leaves an edge alone when either end was touched before (default), or only "
@@ -125,7 +128,7 @@ void require_options_of_recipe(const CLI::App& subcommand, Recipe recipe) {
                                                     option, name(recipe), reason));
   };
   if (recipe == Recipe::annealed) {
-    refuse({"--iterations", "--rings", "--projection-interval", "--local-threshold", "--visited"},
+    refuse({"--iterations", "--rings", "--projection-interval", "--local-threshold", "--visited", "--relax"},
            "it is of --recipe thesis and its forerunners");
     return;
   }

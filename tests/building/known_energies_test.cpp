@@ -16,7 +16,10 @@ namespace {
 constexpr double graphene = -7.3949972517;  // eV/atom: pair_style rebo, minimised
 
 BuildResult built(const TriangleMesh& surface, const SizeRequest& size) {
-  return build_molecule(surface, {.size = size, .threads = 2});
+  BuildOptions options;
+  options.size = size;
+  options.threads = 2;
+  return build_molecule(surface, options);
 }
 
 // Of all atoms, by the full potential as LAMMPS evaluates it.

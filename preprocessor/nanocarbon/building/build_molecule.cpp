@@ -11,6 +11,7 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/molecule/connected_pieces.h"
 #include "nanocarbon/molecule/dual.h"
+#include "nanocarbon/relaxation/dual_minimum.h"
 #include "nanocarbon/remeshing/crystallise.h"
 #include "nanocarbon/remeshing/feature_size.h"
 #include "nanocarbon/remeshing/make_room.h"
@@ -84,6 +85,15 @@ void build_by_thesis(BuildResult& result, const BuildOptions& options) {
   result.seconds.remeshing = stage.lap();
   if (!options.force) require_shape(result);
   result.molecule = dual(result.triangulation);
+  if (options.relax) {
+    if (options.progress) options.progress("relaxing the dual", 0.0);
+    const auto relaxed = minimise_dual(result.molecule, TetherSurface(result.surface.mesh, 1));
+    if (!relaxed.intact && !options.force)
+      throw UserError(
+          Failure::failed,
+          "the dual cannot be relaxed with the bonds it has: REBO2 would bind other atoms; take the "
+          "default recipe, or the molecule as it is with --force");
+  }
   result.seconds.molecule = stage.lap();
 }
 

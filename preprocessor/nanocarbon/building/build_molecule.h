@@ -40,6 +40,7 @@ struct BuildOptions {
   //! Go on where the shape asks for more atoms, keep a molecule that does not hold or has lost the shape.
   bool force = false;
   ThesisOptions thesis;  //!< of the thesis and its forerunners
+  bool relax = false;    //!< the dual of theirs, to a minimum of REBO2 with the bonds it has (dual_minimum.h)
 
   int threads = 1;
   std::uint64_t seed = 1;
