@@ -1,12 +1,12 @@
 // `nanocarbon energy` as a user runs it.
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "support/run_program.h"
 
 namespace nanocarbon {
 namespace {
@@ -14,19 +14,8 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-struct Outcome {
-  int status;
-  std::string output;  //!< and errors
-};
-
-Outcome run(const std::string& arguments) {
-  Outcome outcome;
-  FILE* pipe = popen((NANOCARBON_PROGRAM " " + arguments + " 2>&1").c_str(), "r");
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
-    outcome.output.append(buffer.data(), n);
-  outcome.status = WEXITSTATUS(pclose(pipe));
-  return outcome;
+test::ProgramOutcome run(const std::string& arguments) {
+  return test::run_command(NANOCARBON_PROGRAM " " + arguments);
 }
 
 std::string scratch(const std::string& name) {
@@ -35,8 +24,8 @@ std::string scratch(const std::string& name) {
 
 TEST(Energy, OfDataAndXyzFilesIsTheSame) {
   const std::string data = scratch("c60.data"), xyz = scratch("c60.xyz");
-  ASSERT_EQ(run("make fullerene 1 1 -o " + data).status, 0);
-  ASSERT_EQ(run("make fullerene 1 1 -o " + xyz).status, 0);
+  ASSERT_EQ(run("make fullerene 1 1 -o " + data).exit_code, 0);
+  ASSERT_EQ(run("make fullerene 1 1 -o " + xyz).exit_code, 0);
   const json a = json::parse(run("energy " + data + " --json --parts").output);
   const json b = json::parse(run("energy " + xyz + " --json").output);
   EXPECT_EQ(a["atoms"], 60);
@@ -52,8 +41,8 @@ TEST(Energy, OfDataAndXyzFilesIsTheSame) {
 
 TEST(Energy, WritesForcesThatAddUpToNothing) {
   const std::string sheet = scratch("sheet.data"), forces = scratch("forces.xyz");
-  ASSERT_EQ(run("make graphene --cells 3 2 -o " + sheet).status, 0);
-  ASSERT_EQ(run("energy " + sheet + " --forces " + forces).status, 0);
+  ASSERT_EQ(run("make graphene --cells 3 2 -o " + sheet).exit_code, 0);
+  ASSERT_EQ(run("energy " + sheet + " --forces " + forces).exit_code, 0);
   std::ifstream file(forces);
   std::string line;
   std::getline(file, line);
@@ -77,15 +66,15 @@ TEST(Energy, WritesForcesThatAddUpToNothing) {
 }
 
 TEST(Energy, SaysWhatIsWrongAndExitsWithItsCode) {
-  EXPECT_EQ(run("energy molecule.pdb").status, 2);
+  EXPECT_EQ(run("energy molecule.pdb").exit_code, 2);
   EXPECT_THAT(run("energy molecule.pdb").output, HasSubstr("must end in .data"));
-  EXPECT_EQ(run("energy nowhere.data").status, 3);
+  EXPECT_EQ(run("energy nowhere.data").exit_code, 3);
   const std::string empty = scratch("empty.xyz");
   std::ofstream(empty) << "0\n\n";
-  EXPECT_EQ(run("energy " + empty).status, 5);
+  EXPECT_EQ(run("energy " + empty).exit_code, 5);
   const std::string broken = scratch("broken.xyz");
   std::ofstream(broken) << "2\n\nC 0 0 0\nC 0 0\n";
-  EXPECT_EQ(run("energy " + broken).status, 4);
+  EXPECT_EQ(run("energy " + broken).exit_code, 4);
 }
 
 }  // namespace
