@@ -24,9 +24,9 @@ compute fewest all reduce min c_coordination
 compute most all reduce max c_coordination
 thermo_style custom step pe fmax c_fewest c_most
 thermo 1000000
-minimize 0 1e-6 2000 4000
+minimize 0 1e-4 100 1000
 min_style fire
-minimize 0 1e-6 2000 4000
+minimize 0 1e-4 100 1000
 print "suite: $(pe:%.10f) $(atoms) $(c_fewest:%.0f) $(c_most:%.0f)"
 """
 

@@ -155,7 +155,8 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   if (options.tether) annealing.tether = *options.tether;
   annealing.keep_size =
       std::holds_alternative<LongestSide>(options.size) || std::holds_alternative<UnitScale>(options.size);
-  const std::optional<TriangleMesh> roomy = with_room_for_sheets(result.surface.mesh);
+  const std::optional<TriangleMesh> roomy =
+      with_room_for_sheets(result.surface.mesh, resting_sheet_distance, options.threads);
   result.annealed =
       anneal(roomy ? *roomy : result.surface.mesh, result.surface.atoms, triangulate, annealing);
   result.molecule = std::exchange(result.annealed->molecule, {});

@@ -16,9 +16,9 @@ constexpr double least = 0.05;         // Angstrom below which nothing need move
 constexpr double surroundings = 2.5;
 
 //! What each facet lacks to one side, halved.
-std::vector<double> missing(const Facets& facets, double side, double distance) {
+std::vector<double> missing(const Facets& facets, double side, double distance, int threads) {
   std::vector<double> half(facets.centres.size(), 0.0);
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, 256) num_threads(threads)
   for (std::uint32_t t = 0; t < half.size(); ++t)
     if (const auto found = opposite(facets, t, side, distance))
       half[t] = std::min(farthest, 0.5 * (distance - found->distance));
@@ -53,11 +53,12 @@ std::vector<double> spread_out(const TriangleMesh& mesh, const std::vector<doubl
 
 }  // namespace
 
-std::optional<TriangleMesh> with_room_for_sheets(const TriangleMesh& surface, double distance) {
+std::optional<TriangleMesh> with_room_for_sheets(const TriangleMesh& surface, double distance, int threads) {
   SurfaceGuide guide(surface, 0.7 * ring_spacing);
   guide.smooth_normals(0.5 * ring_spacing);
   const Facets facets(guide);
-  const std::vector<double> inner = missing(facets, -1, distance), outer = missing(facets, 1, distance);
+  const std::vector<double> inner = missing(facets, -1, distance, threads),
+                            outer = missing(facets, 1, distance, threads);
   const auto some = [](const std::vector<double>& half) {
     return std::any_of(half.begin(), half.end(), [](double h) { return h > least; });
   };

@@ -15,6 +15,6 @@ inline constexpr double resting_sheet_distance = 3.6;
 //! Angstrom; what surrounds them (rims) goes along. Nothing else moves. \param surface Angstrom \return
 //! nothing where there is room everywhere; else a finer mesh of the same topology
 std::optional<TriangleMesh> with_room_for_sheets(const TriangleMesh& surface,
-                                                 double distance = resting_sheet_distance);
+                                                 double distance = resting_sheet_distance, int threads = 1);
 
 }  // namespace nanocarbon
