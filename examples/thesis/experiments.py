@@ -1,0 +1,222 @@
+#!/usr/bin/env python3
+"""Chapter 5 of the thesis, run again: see README.md and run.sh beside this file."""
+
+import argparse
+import concurrent.futures
+import pathlib
+import sys
+
+import figures
+import tables
+from molecule_files import data_file, last_frame, mean_bond
+from runs import HERE, Failed, build, dynamics, mean_edge, minimisation
+
+# (p, s): iterations between replacements of the projection mesh, and the percentage of edges outside the interval at
+# which optimisation becomes local.
+SETTINGS = [(0, 2), (0, 5), (10, 2), (10, 5), (25, 5)]
+MESH_ENDINGS = (".off", ".obj", ".ply", ".stl")
+
+
+class Model:
+    def __init__(self, name, files, steps, stable):
+        self.name, self.files, self.steps = name, files, steps
+        self.stable = stable  # (p, s) for which the thesis shows the molecule whole
+        self.mesh = None
+
+    def find(self, folder):
+        candidates = [folder / (stem + ending) for stem in self.files for ending in MESH_ENDINGS]
+        self.mesh = next((c for c in candidates if c.exists()), None)
+        return self.mesh is not None
+
+
+# The first file of a row that the folder holds is taken.
+MODELS = [
+    Model("egea", ["egea"], 5000, (10, 5)),
+    Model("bunny", ["bunny-7k", "bunny"], 3000, (25, 5)),
+    Model("fertility", ["fertility-9k", "fertility"], 3000, (10, 5)),
+    Model("rocker-arm", ["rocker-arm-20k", "rocker-arm", "rockerarm"], 3000, (25, 5)),
+]
+# The long run would take half an hour with 20,000 atoms.
+LONG = Model("rocker-arm", ["rocker-arm-5k", "rocker-arm-20k", "rocker-arm", "rockerarm"], 200000, (25, 5))
+# For --short: what is small among the models, or the shapes that come with the project.
+SHORT = [Model("rocker-arm", ["rocker-arm-5k"], 300, (25, 5)), Model("torus", ["torus"], 300, (25, 5)),
+         Model("genus-two", ["genus-two"], 300, (25, 5))]
+
+
+def thesis_options(setting, recipe="thesis"):
+    p, s = setting
+    options = ["--recipe", recipe]
+    if recipe in ("thesis", "hauck2015"):
+        options += ["--projection-interval", p, "--local-threshold", s]
+    return options
+
+
+class Experiments:
+    settings = SETTINGS
+
+    def __init__(self, args, models):
+        self.args, self.models = args, models
+
+    def prefix(self, part, *words):
+        folder = self.args.out / part
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder / "-".join(str(word) for word in words)
+
+    def whole(self, model, prefix, options, *, mean=1.5, steps=None, pair="rebo/opt", sized=()):
+        """Remeshing and dynamics of one molecule: a row of the tables."""
+        row = {"model": model.name}
+        try:
+            # "All the models were scaled, putting the average edge length to the desirable value": that of the bonds,
+            # and edges of the triangulation are sqrt(3) times as long.
+            size = sized or ["--scale", repr(3**0.5 * mean / mean_edge(model.mesh))]
+            report = build(prefix, model.mesh, [*size, *options])
+            row |= {"report": report, "data": f"{prefix}.data"}
+            row["run"] = dynamics(prefix, row["data"], steps or model.steps, pair)
+            positions, bonds = data_file(row["data"])
+            row["before"] = mean_bond(positions, bonds)
+            row["after"] = mean_bond(last_frame(row["run"]["frames"])[1], bonds)
+        except Failed as failure:
+            row["failed"] = str(failure)
+        return row
+
+    def one(self, model, setting, part="remeshing", options=(), **how):
+        p, s = setting
+        row = self.whole(model, self.prefix(part, model.name, f"p{p}", f"s{s}"), [*thesis_options(setting), *options],
+                         **how)
+        return row | {"setting": setting}
+
+    # --- the parts; each returns the rows of its table -------------------------------------------------------------
+
+    def remeshing(self):
+        return self.each((self.one, m, s) for m in self.models for s in SETTINGS)
+
+    def visited(self):
+        return self.each((lambda m: self.one(m, m.stable, "visited", ["--visited", "both"]), m) for m in self.models)
+
+    def interval(self):
+        narrow = ["--min-bond", 1.1, "--max-bond", 1.7]
+        return self.each((lambda m: self.one(m, m.stable, "interval", narrow, mean=1.4), m) for m in self.models)
+
+    def long(self):
+        if self.args.short:
+            model, steps = self.models[0], 1000
+        elif LONG.find(self.args.folder):
+            model, steps = LONG, LONG.steps
+        else:
+            return []
+        return [self.told(self.one(model, model.stable, "long", steps=steps))]
+
+    def rebo(self):
+        model = self.models[min(1, len(self.models) - 1)]
+        return self.each((lambda pair: self.one(model, model.stable, "pair-" + pair.replace("/", "-"), pair=pair)
+                          | {"pair": pair}, pair) for pair in ("rebo/opt", "rebo"))
+
+    def earlier(self):
+        def row(model, recipe):
+            if recipe == "thesis":
+                return self.one(model, (10, 5)) | {"recipe": recipe}  # done already by the first part
+            return self.whole(model, self.prefix("earlier", model.name, recipe),
+                              thesis_options((10, 5), recipe)) | {"recipe": recipe}
+        # The two smaller models: those that fly to pieces take long.
+        models = [m for m in self.models if m.name in ("bunny", "fertility")] or self.models[:1]
+        return self.each((row, m, r) for m in models for r in ("pecanha2013", "hauck2014", "hauck2015", "thesis"))
+
+    def default(self):
+        def row(model):
+            prefix = self.prefix("default", model.name)
+            # As many atoms as the thinnest parts of all four models ask for.
+            row = self.whole(model, prefix, ["--quality", "draft"],
+                             sized=["--atoms", 2000 if self.args.short else 10000])
+            if "run" in row:
+                row |= self.minimised("after", f"{prefix}-after.data", prefix)
+            return row
+        return self.each((row, m) for m in self.models)
+
+    def cg(self):
+        """Conjugate gradients of the model as it is, of the remeshed one, and of that after dynamics."""
+        def row(model):
+            prefix = self.prefix("cg", model.name)
+            row = self.one(model, model.stable)  # done already by the first part
+            raw = [*thesis_options((0, 0), "pecanha2013"), "--iterations", 0]
+            try:
+                scale = 3**0.5 * 1.5 / mean_edge(model.mesh)
+                build(f"{prefix}-raw", model.mesh, ["--scale", repr(scale), *raw])
+            except Failed as failure:
+                return row | {"failed": str(failure)}
+            row |= self.minimised("raw", f"{prefix}-raw.data", f"{prefix}-raw", iterations=200)
+            if "run" in row:
+                row |= self.minimised("remeshed", row["data"], f"{prefix}-remeshed")
+                after = pathlib.Path(row["data"]).with_suffix("")
+                row |= self.minimised("after", f"{after}-after.data", f"{prefix}-after")
+            return row
+        return self.each((row, m) for m in self.models)
+
+    # ---------------------------------------------------------------------------------------------------------------
+
+    def minimised(self, name, data, prefix, iterations=600):
+        try:
+            result = minimisation(prefix, data, "rebo/opt", 200 if self.args.short else iterations)
+        except Failed as failure:
+            return {"cg " + name: {"failed": str(failure)}}
+        result["mean bond"] = mean_bond(last_frame(result["frames"])[1], data_file(data)[1])
+        return {"cg " + name: result}
+
+    def each(self, calls):
+        with concurrent.futures.ThreadPoolExecutor(self.args.jobs) as pool:
+            waiting = [pool.submit(call[0], *call[1:]) for call in calls]
+            return [self.told(w.result()) for w in waiting]
+
+    @staticmethod
+    def told(row):
+        what = row.get("failed") or tables.verdict_of(row)
+        print("  ", row["model"], row.get("setting", ""), row.get("recipe", ""), what, flush=True)
+        return row
+
+
+PARTS = ["remeshing", "visited", "interval", "long", "cg", "earlier", "default", "rebo"]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--short", action="store_true")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/thesis"))
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--page", action="store_true")
+    return parser.parse_args()
+
+
+def main():
+    args = arguments()
+    if not args.folder.is_dir():
+        sys.exit(f"thesis: {args.folder}: no such folder")
+    models = [m for m in (SHORT if args.short else MODELS) if m.find(args.folder)]
+    if not models:
+        sys.exit(f"thesis: {args.folder} holds none of " + ", ".join(n for m in MODELS + SHORT for n in m.files))
+    for model in MODELS:
+        if not args.short and model not in models:
+            print(f"thesis: note: no {model.name} in {args.folder}", file=sys.stderr)
+    args.out.mkdir(parents=True, exist_ok=True)
+    args.out = args.out.resolve()
+    experiments = Experiments(args, models[:1] if args.short else models)
+
+    pages = {}
+    for part in PARTS:
+        if args.only in ("", part):
+            print(part, flush=True)
+            pages[part] = tables.TABLES[part](getattr(experiments, part)())
+            (args.out / f"{part}.md").write_text(pages[part])
+    if args.only in ("", "figures"):
+        print("figures", flush=True)
+        folder = HERE if args.page else args.out
+        figures.draw_all(experiments, folder)
+    if args.page:
+        tables.put_into(HERE / "README.md", pages)
+    if args.short:
+        print("\n".join(pages.values()))
+    print(f"Tables are in {args.out}/*.md.")
+
+
+if __name__ == "__main__":
+    main()
