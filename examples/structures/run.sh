@@ -26,6 +26,8 @@ compare tube-5-5 -7.246168 "f f p" z tube 5 5 --length 15 --periodic
 compare C60 -6.842065 "f f f" none fullerene 1 1
 compare C240 -7.205094 "f f f" none fullerene 2 2
 compare C540 -7.294654 "f f f" none fullerene 3 3
+compare C720 -7.315190 "f f f" none fullerene 6 0
+compare C960 -7.332492 "f f f" none fullerene 4 4
 compare D688 -7.245690 "p p p" iso schwarzite d688 --cells 2
 compare P688 -7.118862 "p p p" iso schwarzite p688 --cells 2
 compare diamond -7.369997 "p p p" iso diamond --cells 3

@@ -33,10 +33,12 @@ const Case cases[] = {
     {"graphene --flake 4 --hydrogen", 36, 42},  // coronene, C24H12
     {"tube 5 5 --length 9.9 --periodic", 80, 120},
     {"tube 10 10 --length 2.5 --ends periodic", 40, 60},
+    {"tube 9 0 --length 4.3 --periodic", 36, 54},
     {"tube 7 3 --length 1 --periodic", 316, 474},
     {"tube 5 5 --length 1 --ends capped", 60, 90},
     {"fullerene 1 1", 60, 90},
     {"fullerene 2 1", 140, 210},
+    {"fullerene 4 4", 960, 1440},
     {"onion --shells 2", 300, 450},
     {"diamond --cells 2", 64, 128},
     {"schwarzite p688 --cells 1 1 2", 96, 144},
@@ -73,7 +75,8 @@ TEST(Make, AseReadsTheFiles) {
   const test::TemporaryFolder folder;
   const std::string read = std::string(NANOCARBON_ASE_PYTHON) + " " NANOCARBON_ASE_SCRIPT " ";
   for (const std::string what :
-       {"tube 7 3 --length 20 --periodic", "tube 10 10 --length 20", "fullerene 2 2", "graphene"}) {
+       {"tube 7 3 --length 20 --periodic", "tube 10 10 --length 20", "tube 9 0 --length 20 --ends capped",
+        "tube 5 5 --length 20 --ends open", "fullerene 1 1", "fullerene 4 4", "graphene"}) {
     SCOPED_TRACE(what);
     const std::string data = (folder / "a.data").string(), xyz = (folder / "a.xyz").string();
     ASSERT_EQ(make(what + " -o " + data).exit_code, 0);
