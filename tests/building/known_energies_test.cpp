@@ -15,8 +15,9 @@ namespace {
 
 constexpr double graphene = -7.3949972517;  // eV/atom: pair_style rebo, minimised
 
-BuildResult built(const TriangleMesh& surface, const SizeRequest& size) {
+BuildResult built(const TriangleMesh& surface, const SizeRequest& size, std::uint64_t seed = 1) {
   BuildOptions options;
+  options.seed = seed;
   options.size = size;
   options.threads = 2;
   return build_molecule(surface, options);
@@ -50,16 +51,21 @@ struct Sphere {
 
 class SphereTest : public testing::TestWithParam<Sphere> {};
 
+// A search by chance: one of two seeds must find it.
 TEST_P(SphereTest, ComesCloseToTheIcosahedralFullerene) {
-  const BuildResult result = built(make_sphere(1.0, 5), AtomCount{GetParam().atoms});
-  // Bending costs a sphere the same whatever the count, so that the energy of an atom goes with its inverse.
-  const double count = static_cast<double>(result.molecule.size()) / static_cast<double>(GetParam().atoms);
-  EXPECT_NEAR(count, 1, 0.01);
-  EXPECT_LT(above_graphene(result.molecule) * count, GetParam().icosahedral + 5);
-  EXPECT_LT(mean_distance(result), 1);
+  double least = 1e3;
+  for (std::uint64_t seed = 1; seed <= 2 && least > GetParam().icosahedral + 5; ++seed) {
+    const BuildResult result = built(make_sphere(1.0, 10), AtomCount{GetParam().atoms}, seed);
+    // Bending costs a sphere the same whatever the count: the energy of an atom goes with its inverse.
+    const double count = static_cast<double>(result.molecule.size()) / static_cast<double>(GetParam().atoms);
+    EXPECT_NEAR(count, 1, 0.01);
+    EXPECT_LT(mean_distance(result), 1);
+    least = std::min(least, above_graphene(result.molecule) * count);
+  }
+  EXPECT_LT(least, GetParam().icosahedral + 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Icosahedral, SphereTest, testing::Values(Sphere{960, 62.5}),
+INSTANTIATE_TEST_SUITE_P(Icosahedral, SphereTest, testing::Values(Sphere{540, 100.3}, Sphere{960, 62.5}),
                          [](const auto& sphere) { return std::to_string(sphere.param.atoms); });
 
 TEST(KnownEnergies, ATorusOf2180AtomsHasAtMost65) {
@@ -67,6 +73,28 @@ TEST(KnownEnergies, ATorusOf2180AtomsHasAtMost65) {
   EXPECT_LT(above_graphene(result.molecule), 65);
   EXPECT_LT(mean_distance(result), 1);
   EXPECT_EQ(rings_outside_5_to_7(result.molecule), 0u);
+}
+
+// Far from its caps, a capsule of the (10,10) tube's radius is a tube, though not always that one.
+TEST(KnownEnergies, ACapsulesCylinderIsATube) {
+  constexpr double armchair = 39.1;  // the (10,10) tube, minimised by LAMMPS
+  const BuildResult result = built(make_capsule(6.8, 45.0, 0.8), UnitScale{1.0});
+  const Molecule& molecule = result.molecule;
+  Rebo2 rebo2;
+  const Rebo2Result& energies =
+      rebo2.evaluate(molecule.positions, molecule.elements, nullptr, {.atom_energies = true});
+  double centre = 0;
+  for (const Vec3& p : molecule.positions) centre += p.z() / static_cast<double>(molecule.size());
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t a = 0; a < molecule.size(); ++a) {
+    if (std::abs(molecule.positions[a].z() - centre) > 12) continue;
+    sum += energies.atom_energies[a] - graphene;
+    ++count;
+  }
+  ASSERT_GT(count, 300u);
+  EXPECT_NEAR(1e3 * sum / static_cast<double>(count), armchair, 2);
+  EXPECT_LT(mean_distance(result), 0.5);
 }
 
 }  // namespace

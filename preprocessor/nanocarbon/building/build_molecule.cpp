@@ -152,9 +152,8 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
                           .seed = options.seed,
                           .threads = static_cast<unsigned>(options.threads),
                           .progress = options.progress};
-  if (options.tether) annealing.tether = *options.tether;
-  annealing.keep_size =
-      std::holds_alternative<LongestSide>(options.size) || std::holds_alternative<UnitScale>(options.size);
+  annealing.keep_size = keeps_size(options.size);
+  annealing.tether = tether_of(options);
   const std::optional<TriangleMesh> roomy =
       with_room_for_sheets(result.surface.mesh, resting_sheet_distance, options.threads);
   result.annealed =
@@ -198,6 +197,10 @@ std::string_view name(Recipe recipe) {
       return "hauck2015";
   }
   return "";
+}
+
+double tether_of(const BuildOptions& options) {
+  return options.tether.value_or(keeps_size(options.size) ? default_tether_of_size : default_tether);
 }
 
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options) {

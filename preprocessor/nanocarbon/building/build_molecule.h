@@ -33,7 +33,7 @@ struct BuildOptions {
   //! @{
   double bond_length = 1.42;  //!< that the size is reckoned with, Angstrom
   AnnealQuality quality = AnnealQuality::good;
-  std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: default_tether
+  std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: anneal_recipe.h
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
   bool certify = false;           //!< prove that the molecule is at a minimum (certificate.h)
   //! @}
@@ -47,6 +47,9 @@ struct BuildOptions {
   //! Called now and then with what is being done and how much of it, 0 to 1.
   std::function<void(std::string_view stage, double fraction)> progress;
 };
+
+//! The tether that annealing uses, eV/Angstrom^2: the one asked for, or what suits the size asked for.
+double tether_of(const BuildOptions& options);
 
 //! Wall-clock seconds of each stage.
 struct BuildSeconds {

@@ -119,7 +119,7 @@ Json options_json(const BuildResult& result, const BuildOptions& o) {
     constexpr const char* qualities[] = {"draft", "good", "best"};
     json.update({{"quality", qualities[static_cast<int>(o.quality)]},
                  {"bond_length", o.bond_length},
-                 {"tether", o.tether.value_or(default_tether)},
+                 {"tether", tether_of(o)},
                  {"force_tolerance", o.force_tolerance}});
   } else {
     json.update({{"min_bond", o.thesis.min_bond},

@@ -40,6 +40,10 @@ struct ScaleOf {
 
 }  // namespace
 
+bool keeps_size(const SizeRequest& request) {
+  return std::holds_alternative<LongestSide>(request) || std::holds_alternative<UnitScale>(request);
+}
+
 double area_per_atom(double bond_length) { return 0.75 * std::sqrt(3.0) * bond_length * bond_length; }
 
 SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& request, double bond_length) {

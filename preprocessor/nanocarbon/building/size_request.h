@@ -22,6 +22,9 @@ struct UnitScale {
 //! @}
 using SizeRequest = std::variant<AtomPerTriangle, AtomCount, LongestSide, UnitScale>;
 
+//! Whether a size is prescribed, so that the number of atoms follows from it, and not the other way round.
+bool keeps_size(const SizeRequest& request);
+
 //! A surface in Angstrom, and about how many atoms it will carry.
 struct SizedSurface {
   TriangleMesh mesh;   //!< Angstrom

@@ -60,13 +60,17 @@ std::optional<Level> try_start(const TriangleMesh& surface, double scale, std::s
   for (const Triangle& t : mesh.triangles)
     level.state.positions.push_back((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
   level.state.tether = options.tether;
+  level.state.free_mean = !options.keep_size;
   return level;
 }
 
 void relax_level(Level& level, const TetherSurface& tether_surface, bool raw = true) {
-  const auto relaxed = relax_network(
-      fixed_bond_graph(level.state.network), level.state.positions, tether_surface,
-      {.tether = level.state.tether, .untangling_attempts = raw ? 1u : 0u, .springs_first = raw});
+  const auto relaxed =
+      relax_network(fixed_bond_graph(level.state.network), level.state.positions, tether_surface,
+                    {.tether = level.state.tether,
+                     .untangling_attempts = raw ? 1u : 0u,
+                     .free_mean = level.state.free_mean,
+                     .springs_first = raw});
   level.unannealed = relaxed.energy / static_cast<double>(level.state.positions.size());
   level.mean_distance = relaxed.mean_distance;
   level.sound = relaxed.longest_bond < kSafeBond && relaxed.closest_unbonded > kSafeDistance;

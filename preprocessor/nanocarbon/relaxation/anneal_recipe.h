@@ -24,6 +24,9 @@ using Triangulator =
 //! Stiff enough that bond switches feel within their reach what bends the sheet away from the surface:
 //! (1.4 eV, graphene's bending rigidity, over the tether for each area)^(1/4) is 3 Angstrom. eV/Angstrom^2.
 inline constexpr double default_tether = 0.05;
+//! Where the surface's size is meant: a narrow tube's bending presses it outwards by 0.01 eV/Angstrom an
+//! atom.
+inline constexpr double default_tether_of_size = 0.2;
 
 struct AnnealOptions {
   AnnealQuality quality = AnnealQuality::good;

@@ -214,6 +214,7 @@ double relax_state(SwitchingState& state, const TetherSurface& surface, int max_
   FixedBondModel model;
   model.rebo2.graph = fixed_bond_graph(state.network);
   model.tether = state.tether;
+  model.free_mean = state.free_mean;
   if (state.planes.size() != state.positions.size()) state.planes = tangent_planes(surface, state.positions);
   model.planes = std::move(state.planes);
   model.lift = std::move(state.lift);
@@ -222,7 +223,7 @@ double relax_state(SwitchingState& state, const TetherSurface& surface, int max_
                            {.max_iterations = max_iterations, .force_tolerance = force_tolerance});
   state.planes = std::move(model.planes);
   state.lift = std::move(model.lift);
-  state.mean_height = mean_height(state.planes, state.positions);
+  state.mean_height = state.free_mean ? mean_height(state.planes, state.positions) : 0;
   state.contacts = std::move(model.contacts);
   state.contacts.renew(state.positions, model.rebo2.graph.neighbours);
   return relaxed.energy;

@@ -21,7 +21,7 @@ void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::
     const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
       return add_springs(model.rebo2.graph, x, g) +
              model.contacts.evaluate(x, model.rebo2.graph.neighbours, g) +
-             add_tether(model.planes, kSpringTether, x, g);
+             add_tether(model.planes, kSpringTether, x, g, model.free_mean);
     };
     minimise_lbfgs(positions, energy, {.max_iterations = iterations / 3, .force_tolerance = 0.05});
   }
@@ -34,6 +34,7 @@ DualRelaxationResult relax_network(const FixedBondRebo2::Graph& graph, std::vect
   FixedBondModel model;
   model.rebo2.graph = graph;
   model.tether = options.tether;
+  model.free_mean = options.free_mean;
   if (options.springs_first) relax_by_springs(model, surface, positions, options.max_iterations);
   DualRelaxationResult result;
   LbfgsResult relaxed;

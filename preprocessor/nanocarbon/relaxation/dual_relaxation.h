@@ -11,6 +11,7 @@ struct DualRelaxationOptions {
   int max_iterations = 400;          //!< of each stage
   double force_tolerance = 0.02;     //!< eV/Angstrom, of the REBO2 stage
   unsigned untangling_attempts = 1;  //!< where bonds end up above 1.7 Angstrom or other pairs below 2.0
+  bool free_mean = true;             //!< of the heights above the surface, see add_tether()
   bool springs_first = true;         //!< not needed where positions have been relaxed before
 };
 

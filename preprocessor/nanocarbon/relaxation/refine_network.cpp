@@ -28,6 +28,7 @@ SwitchingState refined_in_four(const SwitchingState& coarse, const TetherSurface
   SwitchingState state;
   state.network = trivalent_network(fine);
   state.tether = coarse.tether;
+  state.free_mean = coarse.free_mean;
   for (const Triangle& t : fine.triangles)
     state.positions.push_back((fine.points[t[0]] + fine.points[t[1]] + fine.points[t[2]]) / 3);
   return state;

@@ -116,8 +116,8 @@ double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> p
 }
 
 double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,
-                  std::span<Vec3> gradient) {
-  const double mean = mean_height(planes, positions);
+                  std::span<Vec3> gradient, bool free_mean) {
+  const double mean = free_mean ? mean_height(planes, positions) : 0;
   double energy = 0;
   for (std::size_t a = 0; a < positions.size(); ++a) {
     const double height = height_above(planes[a], positions[a]) - mean;

@@ -58,10 +58,11 @@ inline double height_above(const TangentPlane& plane, const Vec3& position) {
 double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions);
 
 //! \brief Adds (stiffness / 2)(h - mean h)^2 over all atoms, h the height above the atom's plane.
-//! \details The mean is free: curved sheets of carbon rest at a slightly other size than flat ones, and
-//! holding them to the surface itself would press for more or fewer atoms. \param stiffness eV/Angstrom^2
-//! \return eV
+//! \details The mean is free where the surface's size may follow the number of atoms: curved sheets of carbon
+//! rest at a slightly other size than flat ones, and holding them to the surface itself would press for more
+//! or fewer atoms. \param free_mean otherwise the mean counts as nothing: the surface's size is meant
+//! \param stiffness eV/Angstrom^2 \return eV
 double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,
-                  std::span<Vec3> gradient);
+                  std::span<Vec3> gradient, bool free_mean = true);
 
 }  // namespace nanocarbon
