@@ -24,7 +24,7 @@ built() { if [ -e "$build/$1" ]; then echo "$build/$1"; else echo "$2"; fi; }
 export NANOCARBON=${NANOCARBON:-$(built preprocessor/cli/nanocarbon nanocarbon)}
 export LAMMPS=${LAMMPS:-$(built lammps-plugin/lmp-nanocarbon lmp-nanocarbon)}
 export PLUGIN=${PLUGIN:-$(built lammps-plugin/nanocarbonplugin.so nanocarbonplugin.so)}
-export OMP_NUM_THREADS=1
+export OMP_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE=1
 for program in "$NANOCARBON" "$LAMMPS"; do
   command -v "$program" >/dev/null || { echo "thesis: no program $program: build first, see README.md" >&2; exit 3; }
 done

@@ -23,7 +23,7 @@ done
 [ -s "$work/figure-5.5.png" ]
 # The tables have a place on the page, each.
 cp "$source/examples/thesis/README.md" "$work/page.md"
-python3 - "$source/examples/thesis" "$work" <<'PYTHON'
+python3 -B - "$source/examples/thesis" "$work" <<'PYTHON'
 import pathlib, sys
 sys.path.insert(0, sys.argv[1])
 import tables
