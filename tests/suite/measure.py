@@ -6,7 +6,7 @@ import pathlib
 import re
 import subprocess
 
-REFUSED = 6  # exit code of "the size asked for does not fit the shape"
+TOO_FEW_ATOMS = (6, 8)  # exit codes: the size does not fit the shape; no good result was reached
 
 # Minimised as fully as LAMMPS can: conjugate gradients, then FIRE.
 MINIMISATION = """
@@ -110,7 +110,7 @@ def row_of(args, mesh):
     row = {"mesh": mesh.stem, "atoms_asked": atoms}
     code, seconds, reason = build(args, mesh, prefix, atoms)
     larger = re.search(r"--atoms (\d+) or more", reason)
-    if code == REFUSED and larger and args.follow_refusals:
+    if code in TOO_FEW_ATOMS and larger and args.follow_refusals:
         row["refusal"] = f"refused at {atoms}: {reason}"
         atoms = row["atoms_asked"] = int(larger.group(1))
         prefix = args.out / f"{mesh.stem}-{atoms}"

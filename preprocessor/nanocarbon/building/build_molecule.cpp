@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "nanocarbon/building/failed_molecule.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/molecule/connected_pieces.h"
@@ -162,13 +163,7 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   result.surface.scale *= result.annealed->growth;
   for (Vec3& point : result.surface.mesh.points) point *= result.annealed->growth;
   if (!result.annealed->intact && !options.force)
-    throw UserError(
-        Failure::failed,
-        fmt::format(
-            "no molecule was found that holds: bonds of {:.2f} to {:.2f} A, unbonded atoms at {:.2f} A; "
-            "ask for more atoms, or take it as it is with --force",
-            result.annealed->shortest_bond, result.annealed->longest_bond,
-            result.annealed->closest_unbonded));
+    throw UserError(Failure::failed, why_it_does_not_hold(result.molecule, result.surface));
   if (!options.force) require_rings_of_carbon(result.molecule);
   if (options.certify) {
     if (options.progress) options.progress("certifying", 0.0);

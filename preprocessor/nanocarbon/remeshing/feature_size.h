@@ -18,11 +18,11 @@ std::string_view name(FeatureKind kind);
 
 //! How small features may be. Angstrom.
 struct FeatureLimits {
-  //! Of a limb: the (3,3) tube's, the narrowest that was ever seen to stand free. Measured: tori of this radius and
-  //! more, down to 1.4, hold for 5 ps at 600 K; below 2.0 they leave the surface by more than 1 in the mean.
+  //! Of a limb: the (3,3) tube's, the narrowest that was ever seen to stand free. Measured: tori of
+  //! this radius, of 1.7 and 1.4 hold for 5 ps at 600 K, of 1.0 not.
   double tube_radius = 2.0;
-  //! Between two sheets, a little under graphite's 3.35. Measured: plates of 2.5 hold (with_room_for_sheets()), of
-  //! 2.0 not.
+  //! Between two sheets, a little under graphite's 3.35. Measured: plates of 2.5 hold
+  //! (with_room_for_sheets()), of 2.0 not.
   double sheet_distance = 3.0;
   //! Square Angstrom. Regions smaller than this are tips and corners, which a molecule rounds: every spike
   //! and every horn has one at any size.

@@ -1,0 +1,63 @@
+#include "nanocarbon/building/failed_molecule.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/remeshing/feature_size.h"
+
+namespace nanocarbon {
+namespace {
+
+// Where carbon's cut-off in REBO2 begins and ends, Angstrom.
+constexpr double longest_bond = 1.7, closest_unbonded = 2.0;
+
+// What a shape needs for molecules of little strain: the (5,5) tube, graphite's sheets and a little, no
+// exceptions for tips. Angstrom.
+constexpr FeatureLimits comfortable{.tube_radius = 3.4, .sheet_distance = 3.6, .least_area = 20};
+
+struct Fault {
+  std::string what;
+  Vec3 where = Vec3::Zero();
+  double excess = 0;  // Angstrom beyond the cut-off
+};
+
+Fault worst_fault(const Molecule& molecule) {
+  Fault worst{"atoms that do not lie as their bonds want", Vec3::Zero(), 0};
+  const auto look = [&](AtomIndex a, AtomIndex b, double excess, const char* what) {
+    const Vec3 apart = molecule.positions[b] - molecule.positions[a];
+    if (excess <= worst.excess) return;
+    worst = {fmt::format("{} at {:.2f} A", what, apart.norm()), molecule.positions[a] + 0.5 * apart, excess};
+  };
+  std::vector<Bond> bonds = molecule.bonds;
+  std::sort(bonds.begin(), bonds.end());
+  for (const Bond& bond : bonds)
+    look(bond.first, bond.second,
+         (molecule.positions[bond.first] - molecule.positions[bond.second]).norm() - longest_bond,
+         "a bond stretched");
+  const NeighbourList near = neighbours_within(molecule.positions, nullptr, closest_unbonded);
+  for (AtomIndex a = 0; a < molecule.size(); ++a)
+    for (const Neighbour& n : near.of(a))
+      if (a < n.atom && !std::binary_search(bonds.begin(), bonds.end(), Bond{a, n.atom}))
+        look(a, n.atom, closest_unbonded - (molecule.positions[a] - molecule.positions[n.atom]).norm(),
+             "two atoms without a bond pressed together");
+  return worst;
+}
+
+}  // namespace
+
+std::string why_it_does_not_hold(const Molecule& molecule, const SizedSurface& surface) {
+  const Fault fault = worst_fault(molecule);
+  const Vec3 where = fault.where / surface.scale;
+  const FeatureReport features = check_features(surface.mesh, surface.atoms, comfortable);
+  const std::size_t more = features.ok() ? surface.atoms + surface.atoms / 2 : features.smallest_atoms;
+  return fmt::format(
+      "no molecule was found that holds: {} near ({:.4g}, {:.4g}, {:.4g}) of the mesh; ask for --atoms {} or "
+      "more, try "
+      "another --seed, or take it as it is with --force",
+      fault.what, where.x(), where.y(), where.z(), more);
+}
+
+}  // namespace nanocarbon
