@@ -8,7 +8,7 @@ import sys
 
 import figures
 import tables
-from molecule_files import data_file, last_frame, mean_bond
+from molecule_files import data_file, last_frame, mean_bond, without_lost_bonds
 from runs import HERE, Failed, build, dynamics, mean_edge, minimisation
 
 # (p, s): iterations between replacements of the projection mesh, and the percentage of edges outside the interval at
@@ -128,7 +128,7 @@ class Experiments:
             row = self.whole(model, prefix, ["--quality", "draft"],
                              sized=["--atoms", 2000 if self.args.short else 10000])
             if "run" in row:
-                row |= self.minimised("after", f"{prefix}-after.data", prefix)
+                row |= self.minimised("after", without_lost_bonds(f"{prefix}-after.data", f"{prefix}-kept.data"), prefix)
             return row
         return self.each((row, m) for m in self.models)
 
@@ -147,7 +147,8 @@ class Experiments:
             if "run" in row:
                 row |= self.minimised("remeshed", row["data"], f"{prefix}-remeshed")
                 after = pathlib.Path(row["data"]).with_suffix("")
-                row |= self.minimised("after", f"{after}-after.data", f"{prefix}-after")
+                row |= self.minimised("after", without_lost_bonds(f"{after}-after.data", f"{prefix}-kept.data"),
+                                      f"{prefix}-after")
             return row
         return self.each((row, m) for m in self.models)
 

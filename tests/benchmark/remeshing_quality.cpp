@@ -1,5 +1,5 @@
 // Prints a table of what crystallise() makes of mesh files:
-//   remeshing_quality FACES draft|good|best [--features] mesh-file...
+//   remeshing_quality FACES draft|good|best [--features | --seed N] mesh-file...
 // Tab-separated, one row a mesh; lengths of bonds over their mean, distances in mean edges. With --features,
 // what check_features() finds instead.
 #include <fmt/format.h>
@@ -67,7 +67,8 @@ int main(int argc, char** argv) {
   using namespace nanocarbon;
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() < 3) {
-    fmt::print(stderr, "usage: remeshing_quality FACES draft|good|best [--features] mesh-file...\n");
+    fmt::print(stderr,
+               "usage: remeshing_quality FACES draft|good|best [--features | --seed N] mesh-file...\n");
     return 2;
   }
   CrystalOptions options;
@@ -75,14 +76,15 @@ int main(int argc, char** argv) {
   options.quality = arguments[1] == "draft"  ? CrystalQuality::draft
                     : arguments[1] == "best" ? CrystalQuality::best
                                              : CrystalQuality::good;
-  const bool features = arguments[2] == "--features";
+  const bool features = arguments[2] == "--features", seeded = arguments[2] == "--seed";
+  if (seeded && arguments.size() > 3) options.seed = std::stoull(arguments[3]);
   if (features)
     fmt::print("mesh\tproblems\tsmallest\tCPU s\tworst\n");
   else
     fmt::print(
         "mesh\tfaces\tlevels\tedge cv\tbad\tdefects %\tcharge\tbond cv\tbond min\tbond max\tunsound\tfolds\t"
         "distance\tmax\ttopology\tCPU s\n");
-  for (std::size_t k = features ? 3 : 2; k < arguments.size(); ++k) {
+  for (std::size_t k = features ? 3 : seeded ? 4 : 2; k < arguments.size(); ++k) {
     const std::filesystem::path file = arguments[k];
     try {
       const LoadedSurface surface = load_surface(file);

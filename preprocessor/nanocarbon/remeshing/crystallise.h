@@ -42,7 +42,8 @@ struct CrystalResult {
 //! Isotropic remeshing, then the vertices are annealed as particles on the surface until they freeze into a
 //! crystal. Where the shape allows, this is done with a quarter of the faces (or a quarter of that), and each
 //! triangle is split in four: no new defects, and order over longer ranges than one level reaches. Then what
-//! is left of wrong valences is flipped away and edges are evened.
+//! is left of wrong valences is flipped away and edges are evened. Where a wrong valence or a fold is left
+//! even so, up to two more seeds are tried, which takes as many times as long.
 //!
 //! Linear in faces; the same for the same seed. Works in any unit.
 //!
