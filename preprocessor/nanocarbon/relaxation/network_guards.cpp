@@ -1,22 +1,14 @@
 #include "nanocarbon/relaxation/network_guards.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "nanocarbon/relaxation/harmonic_pair.h"
 
 namespace nanocarbon {
 
 namespace {
 
 constexpr double kStiffness = 20;  // eV/Angstrom^2
-
-double add_wall(const Vec3& a, const Vec3& b, double wall, Vec3& at_a, Vec3& at_b) {
-  const Vec3 d = b - a;
-  const double r = std::max(d.norm(), 1e-6), beyond = r - wall;
-  const Vec3 force = kStiffness * beyond / r * d;
-  at_a -= force;
-  at_b += force;
-  return 0.5 * kStiffness * beyond * beyond;
-}
 
 }  // namespace
 
@@ -32,10 +24,11 @@ double add_guards(const FixedBondRebo2::Graph& graph, std::span<const Vec3> posi
       const AtomIndex n = neighbours[s], m = neighbours[(s + 1) % 3];
       if (n == no_atom) continue;
       if (n > a && (positions[n] - positions[a]).squaredNorm() > long2)
-        energy += add_wall(positions[a], positions[n], longest_unguarded_bond, gradient[a], gradient[n]);
+        energy += add_harmonic_pair(positions[a], positions[n], longest_unguarded_bond, kStiffness,
+                                    gradient[a], gradient[n]);
       if (m != no_atom && (positions[n] - positions[m]).squaredNorm() < close2)
-        energy += add_wall(positions[n], positions[m], closest_unguarded_second_neighbours, gradient[n],
-                           gradient[m]);
+        energy += add_harmonic_pair(positions[n], positions[m], closest_unguarded_second_neighbours,
+                                    kStiffness, gradient[n], gradient[m]);
     }
   }
   return energy;
