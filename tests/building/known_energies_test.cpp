@@ -52,7 +52,7 @@ struct Sphere {
 class SphereTest : public testing::TestWithParam<Sphere> {};
 
 // A search by chance: one of two seeds must find it.
-// Annealing is a search by chance: of four seeds tried at 540 atoms two end within the bar and two a meV
+// Annealing is a search by chance: of four runs at 540 atoms two ended within the bar and two a meV
 // above it. Hence the better of two.
 TEST_P(SphereTest, ComesCloseToTheIcosahedralFullerene) {
   double least = 1e3;
