@@ -22,8 +22,7 @@ TEST(MinimiseDual, ComesToTheFullerenesMinimumOfRebo2) {
   EXPECT_NEAR(result.energy / 320, -7.2409063626, 2e-6);
 }
 
-// With 0.3 flips a face, which leaves valences of 3 to 10, REBO2 sees other bonds at the end: that much
-// roughness is beyond relaxation with fixed bonds, and result.intact says so.
+// 0.1 flips a face: with 0.3 REBO2 sees other bonds at the end, which is beyond relaxation with fixed bonds.
 TEST(MinimiseDual, KeepsTheBondsOfARoughTriangulation) {
   TriangleMesh mesh = test::rough_sphere(6, 3, 0.1);
   const double scale = test::scale_for(mesh.triangles.size(), 4 * std::numbers::pi);
