@@ -67,6 +67,8 @@ void add_make_graphene(CLI::App& make) {
   nanocarbon make graphene --size 100 100 -o sheet.data
   nanocarbon make graphene --flake 20 --hydrogen -o flake.xyz)");
   sub.callback([c, &sub] {
+    if (c->hydrogen && c->flake == 0.0)
+      throw UserError(Failure::usage, "--hydrogen is for the rim of a flake: a periodic sheet has none");
     const Molecule molecule = c->flake > 0.0      ? graphene_flake(c->flake)
                               : !c->cells.empty() ? graphene(c->cells[0], c->cells[1])
                                                   : graphene_sheet(c->size[0], c->size[1]);

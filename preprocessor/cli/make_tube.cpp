@@ -57,7 +57,7 @@ void add_make_tube(CLI::App& make) {
       ->capture_default_str();
   sub.add_option("--ends", c->ends,
                  "hydrogen (cut straight and saturated), open (left with dangling bonds), periodic, or "
-                 "capped (6 pentagons at each end, for n + m of 6 or more)")
+                 "capped (6 pentagons at each end, for n + m of 6 or more, and (5, 0))")
       ->check(CLI::IsMember({"hydrogen", "open", "periodic", "capped"}))
       ->capture_default_str();
   sub.add_flag("--periodic", c->periodic, "The same as --ends periodic");

@@ -135,6 +135,8 @@ TEST(Make, RefusalsHaveAnExitCodeAMessageAndNoFile) {
   EXPECT_EQ(refused("mesh torus", "a.data"), 2);
   EXPECT_EQ(refused("mesh torus --major 1 --minor 2", "a.off"), 2);
   EXPECT_EQ(refused("mesh gyroid-piece --edge 1e-9", "a.off"), 2);
+  EXPECT_EQ(refused("mesh torus --edge 1e-9", "a.off"), 2);
+  EXPECT_EQ(refused("graphene --hydrogen", "a.data"), 2);
   EXPECT_EQ(refused("fullerene 1 1", "none/a.data"), 7);
 }
 

@@ -157,5 +157,31 @@ TEST(Shapes, RefuseWhatIsNoShape) {
   EXPECT_THROW(make_minimal_surface_piece(piece), UserError);
 }
 
+// Rather than use up the memory, or count past what an integer holds.
+TEST(Shapes, RefuseMoreTrianglesThanFit) {
+  EXPECT_THROW(make_hemisphere(1.0, 1e-5), UserError);
+  EXPECT_THROW(make_capsule(1.0, 1e300, 0.1), UserError);
+  EXPECT_THROW(make_cylinder(1.0, 4.0, 1e-5), UserError);
+  EXPECT_THROW(make_torus(2.0, 0.8, 1e-5), UserError);
+  HelixShape helix;
+  helix.turns = 1e12;
+  EXPECT_THROW(make_helix(helix), UserError);
+  helix = {};
+  helix.pitch = 1e300;
+  EXPECT_THROW(make_helix(helix), UserError);
+}
+
+// A cube so small can miss the surface altogether.
+TEST(Shapes, RefuseAPieceTooSmallToHoldTheSurface) {
+  for (const double thickness : {0.0, 0.15}) {
+    MinimalSurfacePiece piece;
+    piece.thickness = thickness;
+    for (const double cells : {1e-300, 0.05, 0.3}) {
+      piece.cells = cells;
+      EXPECT_THROW(make_minimal_surface_piece(piece), UserError);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nanocarbon

@@ -95,6 +95,7 @@ TriangleMesh make_junction(const JunctionShape& s) {
 TriangleMesh make_minimal_surface_piece(const MinimalSurfacePiece& m) {
   require(m.period > 0.0 && m.cells > 0.0 && m.edge > 0.0 && m.thickness >= 0.0,
           "the lengths of a piece of minimal surface must be above zero");
+  require(m.cells >= 0.5, "a piece of minimal surface must be half a period wide or more");
   require(m.edge <= 0.12 * m.period, "the edge must not be longer than 0.12 periods");
   require(m.thickness == 0.0 || (m.thickness >= 1.5 * m.edge && m.thickness <= 0.3 * m.period),
           "the thickness must be 0, or at least 1.5 edges and at most 0.3 periods");

@@ -22,6 +22,15 @@ void require(bool condition, const char* what) {
   if (!condition) throw UserError(Failure::usage, what);
 }
 
+//! Before any are made, so that neither memory nor the numbers of rows run over.
+void require_few_triangles(double area, double edge) {
+  const double triangles = area / (0.5 * equilateral_height * edge * edge);
+  if (!(triangles <= 2e7))
+    throw UserError(Failure::usage,
+                    fmt::format("that would be {:.2g} triangles; the limit is 20 million: take a longer edge",
+                                triangles));
+}
+
 int steps(double length, double step, int fewest) {
   return std::max(fewest, static_cast<int>(std::lround(length / step)));
 }
@@ -54,6 +63,7 @@ TriangleMesh make_sphere(double radius, int subdivisions) {
 TriangleMesh make_hemisphere(double radius, double edge) {
   require(radius > 0.0 && edge > 0.0, "the radius and the edge of a hemisphere must be above zero");
   require(edge <= 1.5 * radius, "the edge must not be longer than 1.5 radii");
+  require_few_triangles(2.0 * pi * radius * radius, edge);
   std::vector<Loop> loops = {circle(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), radius, edge, 0.0)};
   for (Loop& loop : dome(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), radius, edge, 0.0))
     loops.push_back(std::move(loop));
@@ -63,6 +73,7 @@ TriangleMesh make_hemisphere(double radius, double edge) {
 TriangleMesh make_capsule(double radius, double length, double edge) {
   require(radius > 0.0 && length > 0.0 && edge > 0.0, "the lengths of a capsule must be above zero");
   require(edge <= 1.5 * radius, "the edge must not be longer than 1.5 radii");
+  require_few_triangles(2.0 * pi * radius * (length + 2.0 * radius), edge);
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), half(0.0, 0.0, 0.5 * length);
   // The lower dome is made the other way up and run through backwards.
   std::vector<Loop> loops = dome(-half, x, -y, radius, edge, 0.0);
@@ -79,6 +90,7 @@ TriangleMesh make_capsule(double radius, double length, double edge) {
 TriangleMesh make_cylinder(double radius, double length, double edge) {
   require(radius > 0.0 && length > 0.0 && edge > 0.0, "the lengths of a cylinder must be above zero");
   require(edge <= 1.5 * radius, "the edge must not be longer than 1.5 radii");
+  require_few_triangles(2.0 * pi * radius * length, edge);
   std::vector<Loop> loops;
   const int rows = steps(length, equilateral_height * edge, 1);
   for (int i = 0; i <= rows; ++i)
@@ -92,6 +104,7 @@ TriangleMesh make_torus(double major, double minor, double edge) {
   require(major > minor,
           "the major radius of a torus must be larger than its minor radius, or it meets itself");
   require(edge <= 1.5 * minor, "the edge must not be longer than 1.5 minor radii");
+  require_few_triangles(4.0 * pi * pi * major * minor, edge);
   std::vector<Loop> loops;
   const int rows = 2 * steps(pi * major, equilateral_height * edge, 3);
   for (int i = 0; i < rows; ++i) {
@@ -113,6 +126,7 @@ TriangleMesh make_helix(const HelixShape& s) {
   const double around = 2.0 * pi * s.coil_radius, turn_length = std::hypot(around, s.pitch);
   require(s.turns <= 0.5 || s.pitch * around / turn_length > 2.2 * s.tube_radius,
           "the turns of the helix meet: increase the pitch or decrease the tube's radius");
+  require_few_triangles(2.0 * pi * s.tube_radius * (s.turns * turn_length + 2.0 * s.tube_radius), s.edge);
 
   const int rows = steps(s.turns * turn_length, equilateral_height * s.edge, 4);
   std::vector<Loop> loops;

@@ -6,7 +6,8 @@ namespace nanocarbon {
 
 // Smooth shapes as triangle meshes, 2-manifold and wound counter-clockwise seen from outside. All lengths are
 // in mesh units; `edge` is about the length of the mesh's edges. Each throws UserError (usage) for lengths
-// that make no shape (not above zero, a torus that meets itself, an edge too long to show the shape).
+// that make no shape (not above zero, a torus that meets itself, an edge too long to show the shape) or more
+// than 20 million triangles.
 
 //! A sphere: an icosahedron's faces cut into subdivisions^2 triangles each and blown up. Closed.
 TriangleMesh make_sphere(double radius, int subdivisions);

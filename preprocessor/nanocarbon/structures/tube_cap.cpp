@@ -72,7 +72,7 @@ TubeCap tube_cap(int n, int m) {
   if (least == std::numeric_limits<std::int64_t>::max())
     throw UserError(Failure::usage,
                     fmt::format("a ({}, {}) tube cannot be capped: it is too thin for six pentagons; tubes "
-                                "with n + m of 5 or more can",
+                                "with n + m of 6 or more can, and (5, 0)",
                                 n, m));
   return best;
 }
