@@ -50,19 +50,22 @@ def beside(pictures):
 
 
 def write_png(path, rows):
-    """With a palette of at most 256 colours: greys in steps of 4, others coarser."""
-    def shade(r, g, b):
+    """With a palette of at most 256 colours: greys in steps of 4, others as finely as there is room for."""
+    def shade(r, g, b, step):
         if max(r, g, b) - min(r, g, b) < 12:
             grey = min(255, (r + g + b + 6) // 12 * 4)
             return grey, grey, grey
-        return tuple(min(255, (c + 24) // 48 * 48) for c in (r, g, b))
+        return tuple(min(255, (c + step // 2) // step * step) for c in (r, g, b))
+
+    pixels = {pixel for row in rows for pixel in zip(row[::3], row[1::3], row[2::3])}
+    step = next(s for s in (8, 16, 24, 32, 48, 64, 96, 128) if len({shade(*p, s) for p in pixels}) <= 256)
 
     palette, known, lines = {}, {}, []
     for row in rows:
         line = bytearray(1)  # filter: none
         for pixel in zip(row[::3], row[1::3], row[2::3]):
             if pixel not in known:
-                known[pixel] = palette.setdefault(shade(*pixel), len(palette))
+                known[pixel] = palette.setdefault(shade(*pixel, step), len(palette))
             line.append(known[pixel])
         lines.append(bytes(line))
 

@@ -3,6 +3,7 @@
 
 import argparse
 import concurrent.futures
+import os
 import pathlib
 import sys
 
@@ -36,8 +37,7 @@ MODELS = [
     Model("fertility", ["fertility-9k", "fertility"], 3000, (10, 5)),
     Model("rocker-arm", ["rocker-arm-20k", "rocker-arm", "rockerarm"], 3000, (25, 5)),
 ]
-# The long run would take half an hour with 20,000 atoms.
-LONG = Model("rocker-arm", ["rocker-arm-5k", "rocker-arm-20k", "rocker-arm", "rockerarm"], 200000, (25, 5))
+LONG_STEPS = 200000  # of the rocker-arm
 # For --short: what is small among the models, or the shapes that come with the project.
 SHORT = [Model("rocker-arm", ["rocker-arm-5k"], 300, (25, 5)), Model("torus", ["torus"], 300, (25, 5)),
          Model("genus-two", ["genus-two"], 300, (25, 5))]
@@ -64,7 +64,7 @@ class Experiments:
 
     def whole(self, model, prefix, options, *, mean=1.5, steps=None, pair="rebo/opt", sized=()):
         """Remeshing and dynamics of one molecule: a row of the tables."""
-        row = {"model": model.name}
+        row = {"model": model.name, "short": self.args.short}
         try:
             # "All the models were scaled, putting the average edge length to the desirable value": that of the bonds,
             # and edges of the triangulation are sqrt(3) times as long.
@@ -98,13 +98,10 @@ class Experiments:
         return self.each((lambda m: self.one(m, m.stable, "interval", narrow, mean=1.4), m) for m in self.models)
 
     def long(self):
-        if self.args.short:
-            model, steps = self.models[0], 1000
-        elif LONG.find(self.args.folder):
-            model, steps = LONG, LONG.steps
-        else:
-            return []
-        return [self.told(self.one(model, model.stable, "long", steps=steps))]
+        def row(model):
+            row = self.one(model, model.stable, "long", steps=1000 if self.args.short else LONG_STEPS)
+            return row | self.minimised_after(model, row, "long") if "run" in row else row
+        return self.each((row, m) for m in self.models if m.name == "rocker-arm" or self.args.short)
 
     def rebo(self):
         model = self.models[min(1, len(self.models) - 1)]
@@ -117,20 +114,20 @@ class Experiments:
                 return self.one(model, (10, 5)) | {"recipe": recipe}  # done already by the first part
             return self.whole(model, self.prefix("earlier", model.name, recipe),
                               thesis_options((10, 5), recipe)) | {"recipe": recipe}
-        # The two smaller models: those that fly to pieces take long.
-        models = [m for m in self.models if m.name in ("bunny", "fertility")] or self.models[:1]
-        return self.each((row, m, r) for m in models for r in ("pecanha2013", "hauck2014", "hauck2015", "thesis"))
+        recipes = ("pecanha2013", "hauck2014", "hauck2015", "thesis")
+        return self.each((row, m, r) for m in self.models for r in recipes)
 
     def default(self):
         def row(model):
-            prefix = self.prefix("default", model.name)
-            # As many atoms as the thinnest parts of all four models ask for.
-            row = self.whole(model, prefix, ["--quality", "draft"],
-                             sized=["--atoms", 2000 if self.args.short else 10000])
-            if "run" in row:
-                row |= self.minimised("after", without_lost_bonds(f"{prefix}-after.data", f"{prefix}-kept.data"), prefix)
-            return row
+            row = self.by_default(model)
+            return row | self.minimised_after(model, row, "default") if "run" in row else row
         return self.each((row, m) for m in self.models)
+
+    def by_default(self, model):
+        """Today's default recipe, with as many atoms as the thinnest parts of all four models ask for."""
+        options = ["--quality", "draft"] if self.args.short else []
+        return self.whole(model, self.prefix("default", model.name), options,
+                          sized=["--atoms", 2000 if self.args.short else 10000])
 
     def cg(self):
         """Conjugate gradients of the model as it is, of the remeshed one, and of that after dynamics."""
@@ -146,15 +143,21 @@ class Experiments:
             row |= self.minimised("raw", f"{prefix}-raw.data", f"{prefix}-raw", iterations=200)
             if "run" in row:
                 row |= self.minimised("remeshed", row["data"], f"{prefix}-remeshed")
-                after = pathlib.Path(row["data"]).with_suffix("")
-                row |= self.minimised("after", without_lost_bonds(f"{after}-after.data", f"{prefix}-kept.data"),
-                                      f"{prefix}-after")
+                row |= self.minimised_after(model, row)
             return row
         return self.each((row, m) for m in self.models)
 
     # ---------------------------------------------------------------------------------------------------------------
 
-    def minimised(self, name, data, prefix, iterations=600):
+    def minimised_after(self, model, row, part="cg"):
+        """Conjugate gradients from where a run has ended."""
+        prefix = self.prefix(part, model.name, "after")
+        end, kept = f"{pathlib.Path(row['data']).with_suffix('')}-after.data", pathlib.Path(f"{prefix}-kept.data")
+        if not (kept.exists() and kept.stat().st_mtime > os.stat(end).st_mtime):
+            without_lost_bonds(end, kept)
+        return self.minimised("after", kept, prefix)
+
+    def minimised(self, name, data, prefix, iterations=5000):
         try:
             result = minimisation(prefix, data, "rebo/opt", 200 if self.args.short else iterations)
         except Failed as failure:

@@ -10,7 +10,7 @@ from draw import draw  # noqa: E402
 
 # How each model is looked at: theta and phi of dump image, what is up, and how near.
 VIEWS = {
-    "egea": {"theta": "60", "phi": "150", "up": "0 1 0", "zoom": "2.2"},
+    "egea": {"theta": "8", "phi": "90", "up": "0 1 0", "zoom": "1.9"},
     "bunny": {"theta": "20", "phi": "90", "up": "0 1 0", "zoom": "2.0"},
     "fertility": {"theta": "12", "phi": "70", "up": "0 1 0", "zoom": "2.2"},
     "rocker-arm": {"theta": "75", "phi": "20", "up": "0 0 1", "zoom": "1.9"},
@@ -49,10 +49,10 @@ def draw_all(experiments, folder):
             before_and_after(f"figure-5.4{letter}", models[name], models[name].stable)
     last = experiments.models[-1]
     row = experiments.one(last, last.stable)
-    minimised = experiments.prefix("cg", last.name, "after-cg-minimised.lammpstrj")
-    if "run" in row and minimised.exists():
-        figure("figure-5.5", last, [at_end(row["data"], row["run"]["frames"]), at_end(row["data"], minimised)], 420)
-    made = experiments.prefix("default", last.name).with_suffix(".data")
-    if made.exists():
-        run = made.with_suffix(".lammpstrj")
-        figure("default", last, [(made, {}), at_end(made, run)], 420)
+    minimised = experiments.minimised_after(last, row)["cg after"] if "run" in row else {"failed": row["failed"]}
+    if "failed" not in minimised:
+        figure("figure-5.5", last, [at_end(row["data"], row["run"]["frames"]), at_end(row["data"], minimised["frames"])],
+               420)
+    row = experiments.by_default(last)
+    if "run" in row:
+        figure("figure-default", last, [(row["data"], {}), at_end(row["data"], row["run"]["frames"])], 420)

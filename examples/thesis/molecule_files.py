@@ -38,7 +38,6 @@ def without_lost_bonds(path, copy):
                 number += 1
                 line = f"{number} {' '.join(words[1:])}\n"
             out.write(line)
-    return copy
 
 
 def last_frame(path):

@@ -10,9 +10,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROGRAM = os.environ.get("NANOCARBON", "nanocarbon")
 LAMMPS = os.environ.get("LAMMPS", "lmp-nanocarbon")
 PLUGIN = os.environ.get("PLUGIN", "nanocarbonplugin.so")
-# The thesis starts from bonds of up to 1.8 Angstrom, and by default fix bond/topology takes atoms for bonded that are
-# nearer than 1.7. With 1.9 the bonds of the start are those of the remeshed model.
-WATCH = "10 form 1.9"
 
 
 class Failed(Exception):
@@ -20,7 +17,7 @@ class Failed(Exception):
 
 
 def call(record, command, inputs=()):
-    """Runs a command unless RECORD.json says that it was run and is newer than its inputs and the program.
+    """Runs a command unless RECORD.json says that it was run, and is newer than its inputs and the program.
 
     Returns the record: the command, its exit code, its output and its CPU seconds.
     """
@@ -39,8 +36,9 @@ def call(record, command, inputs=()):
         screen.seek(0)
         text = screen.read()
     known = {"command": command, "exit": process.returncode, "seconds": usage.ru_utime + usage.ru_stime,
-             "text": text[-4000:]}
-    file.write_text(json.dumps(known, indent=1))
+             "text": text[-8000:]}
+    if process.returncode == 0:  # what failed, for want of a program perhaps, is tried again
+        file.write_text(json.dumps(known, indent=1))
     return known
 
 
@@ -67,17 +65,27 @@ def lammps(record, script, variables, inputs):
     words = [LAMMPS, "-in", HERE / script, "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, value]
-    return call(record, words, inputs)
+    return call(record, words, [*inputs, HERE / script, HERE / "../validate.in", PLUGIN])
+
+
+def watch(every):
+    """What fix bond/topology is told: the steps between looks, and which atoms are bonded.
+
+    The thesis starts from bonds of up to 1.8 Angstrom, and by default the fix takes atoms for bonded that are nearer than
+    1.7. With 1.9 the bonds of the start are those of the remeshed model.
+    """
+    return f"{every} form 1.9"
 
 
 def dynamics(prefix, data, steps, pair):
-    """STEPS steps of 1 fs from rest. What fix bond/topology says at the end."""
+    """STEPS steps of 1 fs from rest. What fix bond/topology says at the end, and the temperature there, K."""
     done = lammps(f"{prefix}-run", "../validate.in",
                   {"data": data, "steps": steps, "every": max(1, steps // 10), "pair": pair, "plugin": PLUGIN,
-                   "out": prefix, "pixels": 0, "watch": WATCH}, [data])
+                   "out": prefix, "pixels": 0, "watch": watch(10 if steps <= 5000 else 100)}, [data])
     said = re.search(r"^verdict: (.*?), (\d+) atoms repelled, (\d+) bonds broken, (\d+) formed", done["text"], re.M)
     if not said:
         raise Failed(last_error(done["text"]))
+    thermo = re.search(rf"^ +{steps} +(\S+)", done["text"], re.M)
     first = None
     with open(f"{prefix}.topology.jsonl") as changes:
         for line in changes:
@@ -85,24 +93,26 @@ def dynamics(prefix, data, steps, pair):
                 first = event["step"]
                 break
     return {"verdict": said[1], "repelled": int(said[2]), "broken": int(said[3]), "formed": int(said[4]),
-            "first repelled": first, "frames": f"{prefix}.lammpstrj", "cpu": done["seconds"]}
+            "first repelled": first, "temperature": float(thermo[1]), "frames": f"{prefix}.lammpstrj",
+            "cpu": done["seconds"]}
 
 
 def minimisation(prefix, data, pair, iterations):
-    """Conjugate gradients from the positions of a data file."""
+    """Conjugate gradients from the positions of a data file, with at most so many iterations."""
     done = lammps(f"{prefix}-minimise", "minimise.in",
                   {"data": data, "pair": pair, "plugin": PLUGIN, "out": f"{prefix}-cg", "pixels": 0,
-                   "watch": WATCH, "iterations": iterations,
+                   "watch": watch(10), "iterations": iterations,
                    "validate": HERE / "../validate.in"}, [data])
     energy = re.search(r"^minimised: (\S+) eV for each atom, largest force (\S+)", done["text"], re.M)
+    steps = re.search(r"^ +Iterations, force evaluations = (\d+)", done["text"], re.M)
     said = re.search(r"^verdict of the minimisation: (\S+), (\d+) atoms repelled, (\d+) bonds broken, (\d+) formed",
                      done["text"], re.M)
     if not said:
         raise Failed(last_error(done["text"]))
     verdicts = ["intact", "homeomorphic", "broken", "not a surface"]
     return {"verdict": verdicts[int(said[1])], "repelled": int(said[2]), "broken": int(said[3]),
-            "formed": int(said[4]), "energy": float(energy[1]), "force": energy[2],
-            "frames": f"{prefix}-cg-minimised.lammpstrj", "cpu": done["seconds"]}
+            "formed": int(said[4]), "energy": float(energy[1]), "force": float(energy[2]),
+            "iterations": int(steps[1]), "frames": f"{prefix}-cg-minimised.lammpstrj", "cpu": done["seconds"]}
 
 
 def last_error(text):

@@ -28,7 +28,7 @@ def converged(row):
 def told_by_the_thesis(row):
     """What the thesis says of this row, and whether this row says the same."""
     told = THESIS.get((row["model"], row["setting"]))
-    if told is None:
+    if told is None or row["short"]:  # fewer steps, and of smaller meshes
         return "", ""
     converges, repels, where = told
     words = [{True: "converged", False: "not converged"}.get(converges),
@@ -89,6 +89,12 @@ def plain(rows):
     return markdown(["model", "p", "s", *MAIN], map(common, rows))
 
 
+def long(rows):
+    cells = [common(row) | {"K": f"{row['run']['temperature']:.0f}" if "run" in row else "",
+                            "minimised after MD": told(row.get("cg after"))} for row in rows]
+    return markdown(["model", "p", "s", *MAIN, "K", "minimised after MD"], cells)
+
+
 def earlier(rows):
     return markdown(["model", "recipe", *MAIN], [common(row) | {"recipe": row.get("recipe", "")} for row in rows])
 
@@ -105,7 +111,8 @@ def told(result):
     if "failed" in result:
         return result["failed"]
     return (f"{result['verdict']}, {result['repelled']} repelled, {result['broken']} broken, "
-            f"{result['formed']} formed; {result['energy']:.3f} eV/atom, mean bond {result['mean bond']:.3f}")
+            f"{result['formed']} formed; {result['energy']:.3f} eV/atom, mean bond {result['mean bond']:.3f}; "
+            f"{result['iterations']} iterations, force {result['force']:.2g}")
 
 
 def cg(rows):
@@ -121,7 +128,7 @@ def default(rows):
     return markdown(["model", *columns], cells)
 
 
-TABLES = {"remeshing": remeshing, "visited": plain, "interval": plain, "long": plain, "cg": cg, "earlier": earlier,
+TABLES = {"remeshing": remeshing, "visited": plain, "interval": plain, "long": long, "cg": cg, "earlier": earlier,
           "default": default, "rebo": by_pair}
 
 

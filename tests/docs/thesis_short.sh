@@ -20,14 +20,20 @@ for part in remeshing visited interval long earlier default rebo; do
 done
 # Three minimisations.
 [ "$(grep -oE '[0-9]+ repelled, [0-9]+ broken' "$work/cg.md" | wc -l)" -eq 3 ]
-[ -s "$work/figure-5.5.png" ]
+[ -s "$work/figure-5.5.png" ] && [ -s "$work/figure-default.png" ]
 # The tables have a place on the page, each.
 cp "$source/examples/thesis/README.md" "$work/page.md"
 python3 -B - "$source/examples/thesis" "$work" <<'PYTHON'
 import pathlib, sys
 sys.path.insert(0, sys.argv[1])
-import tables
+import runs, tables
 work = pathlib.Path(sys.argv[2])
+# A command that has succeeded is not run again, one that failed is.
+for exit_code, times in ((0, 1), (3, 2)):
+    calls = work / f"calls-{exit_code}"
+    for _ in range(2):
+        runs.call(work / "call", ["sh", "-c", f"echo called >>{calls}; exit {exit_code}"])
+    assert len(calls.read_text().split()) == times, (exit_code, times)
 made = {name: (work / f"{name}.md").read_text() for name in tables.TABLES}
 tables.put_into(work / "page.md", made)
 text = (work / "page.md").read_text()
