@@ -56,6 +56,7 @@ class Experiments:
 
     def __init__(self, args, models):
         self.args, self.models = args, models
+        self.failures = 0
 
     def prefix(self, part, *words):
         folder = self.args.out / part
@@ -170,8 +171,8 @@ class Experiments:
             waiting = [pool.submit(call[0], *call[1:]) for call in calls]
             return [self.told(w.result()) for w in waiting]
 
-    @staticmethod
-    def told(row):
+    def told(self, row):
+        self.failures += "failed" in row or any("failed" in cell for cell in row.values() if isinstance(cell, dict))
         what = row.get("failed") or tables.verdict_of(row)
         print("  ", row["model"], row.get("setting", ""), row.get("recipe", ""), what, flush=True)
         return row
@@ -186,23 +187,29 @@ def arguments():
     parser.add_argument("--short", action="store_true")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/thesis"))
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--only", default="")
+    parser.add_argument("--only", default="", choices=[*PARTS, "figures"], metavar="PART")
     parser.add_argument("--page", action="store_true")
-    return parser.parse_args()
+    args = parser.parse_args()
+    if args.jobs < 1:
+        parser.error("--jobs: at least 1")
+    args.out = args.out.resolve()
+    if not args.folder.is_dir():
+        sys.exit(f"thesis: {args.folder}: no such folder")
+    if spaced := next((path for path in (args.out, HERE) if " " in str(path)), None):
+        sys.exit(f"thesis: {spaced}: LAMMPS's scripts cannot name files with spaces in them; take another folder")
+    return args
 
 
 def main():
     args = arguments()
-    if not args.folder.is_dir():
-        sys.exit(f"thesis: {args.folder}: no such folder")
-    models = [m for m in (SHORT if args.short else MODELS) if m.find(args.folder)]
+    wanted = SHORT if args.short else MODELS
+    models = [m for m in wanted if m.find(args.folder)]
     if not models:
-        sys.exit(f"thesis: {args.folder} holds none of " + ", ".join(n for m in MODELS + SHORT for n in m.files))
+        sys.exit(f"thesis: {args.folder} holds none of " + ", ".join(n for m in wanted for n in m.files))
     for model in MODELS:
         if not args.short and model not in models:
             print(f"thesis: note: no {model.name} in {args.folder}", file=sys.stderr)
     args.out.mkdir(parents=True, exist_ok=True)
-    args.out = args.out.resolve()
     experiments = Experiments(args, models[:1] if args.short else models)
 
     pages = {}
@@ -220,6 +227,8 @@ def main():
     if args.short:
         print("\n".join(pages.values()))
     print(f"Tables are in {args.out}/*.md.")
+    if experiments.failures:
+        sys.exit(f"thesis: {experiments.failures} rows have no result; what went wrong is in the table")
 
 
 if __name__ == "__main__":

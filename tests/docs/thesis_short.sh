@@ -11,6 +11,17 @@ mkdir -p "$work"
   cat "$work/said"
   exit 1
 }
+# A part that there is not, and a program that fails, do not go unnoticed.
+for wrong in "--only figurs" "--jobs 0" "--out $work/a\ b"; do
+  if eval "$source/examples/thesis/run.sh" "$source/examples/meshes" --short $wrong >/dev/null 2>&1; then
+    echo "$wrong was taken"
+    exit 1
+  fi
+done
+if LAMMPS=false "$source/examples/thesis/run.sh" "$source/examples/meshes" --short --only rebo --out "$work/failing" >/dev/null 2>&1; then
+  echo "a failing LAMMPS went unnoticed"
+  exit 1
+fi
 for part in remeshing visited interval long earlier default rebo; do
   grep -vE '^\| model|^\|---|^$' "$work/$part.md" >"$work/rows"
   rows=$(wc -l <"$work/rows")
