@@ -28,6 +28,7 @@ void add_size_options(CLI::App& sub, BuildCommand& c) {
   auto* size =
       sub.add_option_group("Size", "One of these; without any, an atom for each triangle of the mesh");
   size->add_option("--atoms", c.atoms, "Number of atoms, met within a few percent where the shape allows")
+      ->transform(whole_number())
       ->check(above_zero());
   size->add_option("--length", c.length, "Longest side of the bounding box, Angstrom")->check(above_zero());
   size->add_option("--scale", c.scale, "Angstrom for each mesh unit")->check(above_zero());
@@ -92,11 +93,16 @@ void add_thesis_options(CLI::App& sub, BuildCommand& c) {
   auto* group = sub.add_option_group("Thesis", "Parameters of the thesis and its forerunners");
   group->add_option("--min-bond", c.min_bond, "Shortest bond wanted, Angstrom (1.2)")->check(above_zero());
   group->add_option("--max-bond", c.max_bond, "Longest bond wanted, Angstrom (1.8)")->check(above_zero());
-  group->add_option("--iterations", c.iterations, "Most iterations, n (150)")->check(zero_or_more());
-  group->add_option("--rings", c.rings, "Rings of the low-pass filter, k (2)")->check(between(1, 10));
+  group->add_option("--iterations", c.iterations, "Most iterations, n (150)")
+      ->transform(whole_number())
+      ->check(zero_or_more());
+  group->add_option("--rings", c.rings, "Rings of the low-pass filter, k (2)")
+      ->transform(whole_number())
+      ->check(between(1, 10));
   group
       ->add_option("--projection-interval", c.projection_interval,
                    "Iterations between replacements of the projection mesh, p (10); 0: never")
+      ->transform(whole_number())
       ->check(zero_or_more());
   group
       ->add_option("--local-threshold", c.local_threshold,

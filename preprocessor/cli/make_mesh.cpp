@@ -45,6 +45,7 @@ void add_sphere(CLI::App& mesh) {
   length(mesh, "sphere", "--radius", c->shape.radius, "Radius");
   mesh.get_subcommand("sphere")
       ->add_option("--subdivisions", c->shape.subdivisions, "Parts S of each edge of an icosahedron")
+      ->transform(whole_number())
       ->check(between(1, 1000))
       ->capture_default_str();
 }

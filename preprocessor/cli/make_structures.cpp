@@ -28,6 +28,7 @@ std::array<int, 3> three(const std::vector<int>& cells) {
 void add_cells(CLI::App& sub, std::vector<int>& cells) {
   sub.add_option("--cells", cells, "Unit cells along each edge: one number for all, or three")
       ->expected(1, 3)
+      ->transform(whole_number())
       ->check(between(1, 200))
       ->capture_default_str();
   sub.parse_complete_callback([&cells] {
@@ -57,6 +58,7 @@ void add_make_graphene(CLI::App& make) {
       ->capture_default_str();
   shape->add_option("--cells", c->cells, "Rectangular cells of 4 atoms along x and y, instead")
       ->expected(2)
+      ->transform(whole_number())
       ->check(between(1, 20000));
   shape->add_option("--flake", c->flake, "A flake in free space of this radius, Angstrom, instead")
       ->check(between(1.5, 5000.0));
@@ -83,9 +85,13 @@ void add_make_fullerene(CLI::App& make) {
   };
   CLI::App& sub = *make.add_subcommand("fullerene", "An icosahedral fullerene, by its Goldberg pair");
   const auto c = std::make_shared<Command>();
-  sub.add_option("H", c->h, "First Goldberg index")->required()->check(zero_or_more());
+  sub.add_option("H", c->h, "First Goldberg index")
+      ->required()
+      ->transform(whole_number())
+      ->check(zero_or_more());
   sub.add_option("K", c->k, "Second Goldberg index; it has 20 (H^2 + H K + K^2) atoms")
       ->required()
+      ->transform(whole_number())
       ->check(zero_or_more());
   add_molecule_output(sub, c->output);
   sub.footer(
@@ -103,8 +109,12 @@ void add_make_onion(CLI::App& make) {
   };
   CLI::App& sub = *make.add_subcommand("onion", "Icosahedral fullerenes (k, k) around each other");
   const auto c = std::make_shared<Command>();
-  sub.add_option("--shells", c->shells, "How many fullerenes")->check(between(1, 60))->capture_default_str();
+  sub.add_option("--shells", c->shells, "How many fullerenes")
+      ->transform(whole_number())
+      ->check(between(1, 60))
+      ->capture_default_str();
   sub.add_option("--innermost", c->innermost, "k of the innermost one: 1 is C60, 2 is C240, ...")
+      ->transform(whole_number())
       ->check(between(1, 400))
       ->capture_default_str();
   add_molecule_output(sub, c->output);

@@ -46,9 +46,11 @@ void add_make_tube(CLI::App& make) {
   const auto c = std::make_shared<TubeCommand>();
   sub.add_option("N", c->n, "First Hamada index; (n, n) is armchair, (n, 0) zigzag")
       ->required()
+      ->transform(whole_number())
       ->check(zero_or_more());
   sub.add_option("M", c->m, "Second Hamada index; (n, m) and (m, n) are mirror images")
       ->required()
+      ->transform(whole_number())
       ->check(zero_or_more());
   sub.add_option(
          "--length", c->length,

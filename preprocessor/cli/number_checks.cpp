@@ -20,6 +20,21 @@ CLI::Validator number_that(const std::string& rule, Test test) {
 
 }  // namespace
 
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](std::string& text) {
+        constexpr double exact = 9007199254740992.0;  // 2^53; larger ones must come in digits
+        if (!text.empty() && text.find_first_not_of("0123456789") == std::string::npos) return std::string();
+        double number = 0.0;
+        if (!CLI::detail::lexical_cast(text, number) || !(std::abs(number) <= exact) ||
+            number != std::floor(number))
+          return fmt::format("'{}' is no whole number, such as 10000 or 1e4", text);
+        text = fmt::format("{:.0f}", number);
+        return std::string();
+      },
+      "");
+}
+
 CLI::Validator above_zero() {
   return number_that("above 0", [](double number) { return number > 0.0; });
 }

@@ -12,4 +12,8 @@ CLI::Validator zero_or_more();
 CLI::Validator between(double low, double high);
 //! @}
 
+//! \brief Lets whole numbers through, as 10000, 1e4 or 10000.0, and writes them in digits for the option to
+//! read. \details Goes to transform(), not to check().
+CLI::Validator whole_number();
+
 }  // namespace nanocarbon

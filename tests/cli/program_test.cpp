@@ -97,11 +97,27 @@ TEST_F(Program, EachKindOfFailureHasItsExitCodeAndLeavesNoFile) {
   EXPECT_FALSE(fs::exists(path("out.data")));
 }
 
+TEST_F(Program, WholeNumbersMayHaveAnExponent) {
+  const std::string build = "build " + octahedron() + " --quality draft --quiet -o ";
+  ASSERT_EQ(run(build + path("exponent.data") + " --atoms 1e2").exit_code, 0);
+  ASSERT_EQ(run(build + path("digits.data") + " --atoms 100").exit_code, 0);
+  const auto atoms = [&](const char* file) {  // below the line that repeats the command
+    const std::string data = contents(path(file));
+    return data.substr(data.find('\n'));
+  };
+  EXPECT_EQ(atoms("exponent.data"), atoms("digits.data"));
+  for (const std::string number : {"10k", "1.5", "1e", "1e-3", "1e400"}) {
+    const Outcome outcome = run(build + path("none.data") + " --atoms " + number);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("--atoms: '" + number + "' is no whole number"));
+  }
+}
+
 TEST_F(Program, OptionsThatMakeNoSenseAreRefusedBeforeAnyWork) {
   const std::string build = "build " + octahedron() + " -o " + path("out.data");
   for (const std::string options :
        {" --atoms 0", " --atoms -5", " --length nan", " --scale 0", " --margin nan", " --margin 1e300",
-        " --threads 0", " --seed -1", " --recipe thesis --local-threshold nan",
+        " --threads 0", " --threads 1.5", " --seed -1", " --recipe thesis --local-threshold nan",
         // Of another recipe than the one asked for.
         " --recipe thesis --certify", " --recipe thesis --quality best", " --recipe thesis --bond-length 1.4",
         " --rings 3", " --iterations 10",
