@@ -15,8 +15,8 @@
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/surface.h"
+#include "nanocarbon/remeshing/atoms_for_features.h"
 #include "nanocarbon/remeshing/crystallise.h"
-#include "nanocarbon/remeshing/feature_size.h"
 #include "nanocarbon/remeshing/triangulation_quality.h"
 
 namespace nanocarbon {
@@ -49,9 +49,9 @@ void print_features(const std::string& name, TriangleMesh surface, std::size_t a
   const double scale = std::sqrt(area_per_atom * static_cast<double>(atoms) / area(surface));
   for (Vec3& p : surface.points) p *= scale;
   const double start = cpu_seconds();
-  const FeatureReport report = check_features(surface, atoms);
-  fmt::print("{}\t{}\t{}\t{:.2f}", name, report.problems.size(), report.smallest_atoms,
-             cpu_seconds() - start);
+  const FeatureReport report = check_features(surface);
+  fmt::print("{}\t{}\t{}\t{:.2f}", name, report.problems.size(),
+             atoms_for_features(surface, static_cast<double>(atoms)).value_or(0), cpu_seconds() - start);
   for (std::size_t k = 0; k < std::min<std::size_t>(report.problems.size(), 3); ++k) {
     const FeatureProblem& p = report.problems[k];
     fmt::print("\t{} of {:.2f} (at least {:.2f}), area {:.0f}, at {:.1f} {:.1f} {:.1f}",

@@ -109,7 +109,7 @@ def row_of(args, mesh):
     prefix, atoms = args.out / mesh.stem, args.atoms
     row = {"mesh": mesh.stem, "atoms_asked": atoms}
     code, seconds, reason = build(args, mesh, prefix, atoms)
-    larger = re.search(r"--atoms (\d+) or more", reason)
+    larger = re.search(r"--atoms (\d+)", reason)
     if code in TOO_FEW_ATOMS and larger and args.follow_refusals:
         row["refusal"] = f"refused at {atoms}: {reason}"
         atoms = row["atoms_asked"] = int(larger.group(1))

@@ -9,12 +9,13 @@
 
 #include "nanocarbon/building/failed_molecule.h"
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/molecule/connected_pieces.h"
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/relaxation/dual_minimum.h"
+#include "nanocarbon/remeshing/atoms_for_features.h"
 #include "nanocarbon/remeshing/crystallise.h"
-#include "nanocarbon/remeshing/feature_size.h"
 #include "nanocarbon/remeshing/make_room.h"
 
 namespace nanocarbon {
@@ -110,18 +111,27 @@ CrystalQuality crystal_quality(AnnealQuality quality) {
   return CrystalQuality::good;
 }
 
-void require_room_for_features(const SizedSurface& surface, int threads) {
-  const FeatureReport features = check_features(surface.mesh, surface.atoms, {}, threads);
+std::string number_that_would_do(const BuildResult& result, const BuildOptions& options) {
+  const SizedSurface& surface = result.surface;
+  const auto atoms = atoms_for_features(surface.mesh, area(surface.mesh) / area_per_atom(options.bond_length),
+                                        {}, options.threads);
+  if (!atoms) return "no number of atoms was found that would do: go on with --force";
+  return fmt::format("the next size that would do is --atoms {}; ask for that, or go on with --force",
+                     *atoms);
+}
+
+void require_room_for_features(const BuildResult& result, const BuildOptions& options) {
+  const SizedSurface& surface = result.surface;
+  const FeatureReport features = check_features(surface.mesh, {}, options.threads);
   if (features.ok()) return;
   const FeatureProblem& worst = features.problems.front();
   const Vec3 where = worst.where / surface.scale;
   throw UserError(
       Failure::size,
-      fmt::format(
-          "the shape is too small for {} atoms in {} place(s): a {} of {:.2f} A at ({:.4g}, {:.4g}, "
-          "{:.4g}) of the mesh should have {:.2f} A; ask for --atoms {} or more, or go on with --force",
-          surface.atoms, features.problems.size(), name(worst.kind), worst.size, where.x(), where.y(),
-          where.z(), worst.needed, features.smallest_atoms));
+      fmt::format("the shape is too small for {} atoms in {} place(s): a {} of {:.2f} A at ({:.4g}, "
+                  "{:.4g}, {:.4g}) of the mesh should have {:.2f} A; {}",
+                  surface.atoms, features.problems.size(), name(worst.kind), worst.size, where.x(), where.y(),
+                  where.z(), worst.needed, number_that_would_do(result, options)));
 }
 
 void require_rings_of_carbon(const Molecule& molecule) {
@@ -138,7 +148,7 @@ void require_rings_of_carbon(const Molecule& molecule) {
 
 void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
-  if (!options.force) require_room_for_features(result.surface, options.threads);
+  if (!options.force) require_room_for_features(result, options);
   const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
     Stopwatch crystal;
     CrystalResult made = crystallise(surface, {.faces = faces,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "nanocarbon/core/neighbours_within.h"
-#include "nanocarbon/remeshing/feature_size.h"
+#include "nanocarbon/remeshing/atoms_for_features.h"
 
 namespace nanocarbon {
 namespace {
@@ -51,13 +51,14 @@ Fault worst_fault(const Molecule& molecule) {
 std::string why_it_does_not_hold(const Molecule& molecule, const SizedSurface& surface) {
   const Fault fault = worst_fault(molecule);
   const Vec3 where = fault.where / surface.scale;
-  const FeatureReport features = check_features(surface.mesh, surface.atoms, comfortable);
-  const std::size_t more = features.ok() ? surface.atoms + surface.atoms / 2 : features.smallest_atoms;
+  std::optional<std::size_t> more;
+  if (!check_features(surface.mesh, comfortable).ok())
+    more = atoms_for_features(surface.mesh, static_cast<double>(surface.atoms), comfortable);
   return fmt::format(
       "no molecule was found that holds: {} near ({:.4g}, {:.4g}, {:.4g}) of the mesh; ask for --atoms {} or "
       "more, try "
       "another --seed, or take it as it is with --force",
-      fault.what, where.x(), where.y(), where.z(), more);
+      fault.what, where.x(), where.y(), where.z(), more.value_or(surface.atoms + surface.atoms / 2));
 }
 
 }  // namespace nanocarbon

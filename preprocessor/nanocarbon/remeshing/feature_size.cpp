@@ -113,12 +113,6 @@ void collect(const SurfaceGuide& guide, const Facets& facets, const Shortfall& s
   }
 }
 
-//! Rounded up to two digits.
-std::size_t round_up(double atoms) {
-  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(atoms)) - 1));
-  return static_cast<std::size_t>(std::ceil(atoms / unit) * unit);
-}
-
 }  // namespace
 
 std::string_view name(FeatureKind kind) {
@@ -133,8 +127,7 @@ std::string_view name(FeatureKind kind) {
   return "";
 }
 
-FeatureReport check_features(const TriangleMesh& surface, std::size_t atoms, const FeatureLimits& limits,
-                             int threads) {
+FeatureReport check_features(const TriangleMesh& surface, const FeatureLimits& limits, int threads) {
   SurfaceGuide guide(surface, 0.7 * ring_spacing);
   guide.smooth_normals(0.5 * ring_spacing);
   const Facets facets(guide);
@@ -145,11 +138,6 @@ FeatureReport check_features(const TriangleMesh& surface, std::size_t atoms, con
   collect(guide, facets, shortfalls.gap, FeatureKind::narrow_gap, limits, report.problems);
   std::stable_sort(report.problems.begin(), report.problems.end(),
                    [](const auto& a, const auto& b) { return a.size / a.needed < b.size / b.needed; });
-  report.smallest_atoms = atoms;
-  if (!report.ok()) {
-    const double ratio = report.problems.front().needed / report.problems.front().size;
-    report.smallest_atoms = round_up(static_cast<double>(atoms) * ratio * ratio);
-  }
   return report;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -40,11 +39,10 @@ struct FeatureProblem {
 
 struct FeatureReport {
   std::vector<FeatureProblem> problems;  //!< the worst first
-  std::size_t smallest_atoms = 0;  //!< how many would do; not above what was asked about where all is well
   bool ok() const { return problems.empty(); }
 };
 
-//! \brief Finds where a surface is too small for the number of atoms it shall hold.
+//! \brief Finds where a surface is too small to be held by carbon.
 //!
 //! From every place of the surface the nearest place that lies along it is sought on the normal,
 //! inwards and outwards, which is the local thickness and the local gap. Sharp edges, however sharp up to
@@ -53,9 +51,7 @@ struct FeatureReport {
 //! all around its axis are met within its width.
 //!
 //! \param surface in Angstrom, scaled to hold the atoms
-//! \param atoms what `smallest_atoms` is scaled from
 //! \param threads to use; they do not change the result
-FeatureReport check_features(const TriangleMesh& surface, std::size_t atoms, const FeatureLimits& limits = {},
-                             int threads = 1);
+FeatureReport check_features(const TriangleMesh& surface, const FeatureLimits& limits = {}, int threads = 1);
 
 }  // namespace nanocarbon

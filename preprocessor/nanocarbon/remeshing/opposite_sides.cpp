@@ -37,19 +37,24 @@ std::optional<Opposite> opposite(const Facets& facets, std::uint32_t from, doubl
   const Vec3& n = facets.normals[from];
   double best = reach * reach;
   Opposite found;
-  visit_triangles(
-      facets.tree, [&](const BoundingBox& box) { return squared_distance(box, p) < best; },
-      [&](std::uint32_t t) {
-        const double cosine = facets.normals[t].dot(n);
-        if (cosine > -along && (cosine < along || facets.pieces[t] == facets.pieces[from])) return;
-        const Triangle& f = facets.mesh.triangles[t];
-        const Vec3 q = nearest_on_triangle(p, facets.mesh.points[f[0]], facets.mesh.points[f[1]],
-                                           facets.mesh.points[f[2]]);
-        const double d2 = (q - p).squaredNorm();
-        if (d2 >= best || side * (q - p).dot(n) <= within_cone * std::sqrt(d2)) return;
-        best = d2;
-        found = {q, 0, cosine > 0};
-      });
+  // Of all boxes near by, those that reach into the cone: few of the sheet that the place itself is of.
+  const auto may_hold = [&](const BoundingBox& box) {
+    const double d2 = squared_distance(box, p);
+    const double deepest =
+        side * (0.5 * (box.low + box.high) - p).dot(n) + 0.5 * n.cwiseAbs().dot(box.extent());
+    return d2 < best && deepest > 0 && deepest * deepest > within_cone * within_cone * d2;
+  };
+  visit_triangles(facets.tree, may_hold, [&](std::uint32_t t) {
+    const double cosine = facets.normals[t].dot(n);
+    if (cosine > -along && (cosine < along || facets.pieces[t] == facets.pieces[from])) return;
+    const Triangle& f = facets.mesh.triangles[t];
+    const Vec3 q =
+        nearest_on_triangle(p, facets.mesh.points[f[0]], facets.mesh.points[f[1]], facets.mesh.points[f[2]]);
+    const double d2 = (q - p).squaredNorm();
+    if (d2 >= best || side * (q - p).dot(n) <= within_cone * std::sqrt(d2)) return;
+    best = d2;
+    found = {q, 0, cosine > 0};
+  });
   if (best >= reach * reach) return std::nullopt;
   found.distance = std::sqrt(best);
   return found;
