@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -41,7 +42,7 @@ class AseReads : public testing::Test {
   }
 
   // What ASE printed must be the molecule with its positions moved and in the given cell.
-  void expect_seen(const std::string& pbc, const Mat3* vectors) const {
+  void expect_seen(const std::string& pbc, const Mat3* vectors, bool with_bonds = false) const {
     std::ifstream seen(folder / "seen");
     std::string count, symbols, periodic;
     std::getline(seen, count);
@@ -63,6 +64,14 @@ class AseReads : public testing::Test {
         ASSERT_TRUE(seen >> x);
         EXPECT_NEAR(x, p[d], 1e-12);
       }
+    std::vector<Bond> bonds;
+    for (AtomIndex i = 0; i < molecule.size(); ++i)
+      for (AtomIndex k = 0, other = 0; k < 3 && seen >> other; ++k)
+        if (i + 1 < other) bonds.push_back({i, other - 1});
+    std::sort(bonds.begin(), bonds.end());
+    if (with_bonds) {
+      EXPECT_EQ(bonds, molecule.bonds);
+    }
   }
 
   fs::path folder;
@@ -73,13 +82,13 @@ TEST_F(AseReads, OurXyz) {
   const fs::path file = folder / "a.xyz";
   write_xyz(file, molecule, "nanocarbon 0 make \"x\"");
   run(fmt::format("xyz \"{}\"", file.string()));
-  expect_seen("0 0 0", nullptr);
+  expect_seen("0 0 0", nullptr, true);
 
   molecule.cell = orthogonal_cell(Vec3(20, 21, 22), {true, false, true});
   molecule.cell->vectors(0, 1) = 0.25;
   write_xyz(file, molecule);
   run(fmt::format("xyz \"{}\"", file.string()));
-  expect_seen("1 0 1", &molecule.cell->vectors);
+  expect_seen("1 0 1", &molecule.cell->vectors, true);
 }
 
 TEST_F(AseReads, OurDataFilesOfEveryStyle) {

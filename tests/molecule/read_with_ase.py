@@ -1,7 +1,8 @@
 """Reads files with ASE and prints what it saw, for ase_reads_test.cpp.
 
 Usage: read_with_ase.py xyz FILE | data FILE STYLE | convert FILE.xyz OUT.data
-Prints: number of atoms, symbols joined, pbc, the cell's nine numbers, then one position a line, all as repr.
+Prints: number of atoms, symbols joined, pbc, the cell's nine numbers, then one position a line, all as repr, and
+the bonded atoms where the file names them.
 """
 import sys
 
@@ -21,3 +22,5 @@ print(*(int(p) for p in atoms.pbc))
 print(*(repr(float(x)) for x in atoms.cell.array.flatten()))
 for position in atoms.positions:
     print(*(repr(float(x)) for x in position))
+for bonded in atoms.arrays.get("bonded", []):
+    print(*(int(other) for other in bonded))

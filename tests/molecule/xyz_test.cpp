@@ -52,6 +52,19 @@ TEST(Xyz, GivesBackWhatWasWritten) {
   }
 }
 
+// A propane skeleton: the middle atom has two bonds, the ends one each.
+TEST(Xyz, NamesTheBondedAtoms) {
+  Molecule molecule;
+  molecule.positions = {{0, 0, 0}, {1.5, 0, 0}, {2, 1.4, 0}};
+  molecule.elements.assign(3, Element::carbon);
+  molecule.bonds = {{0, 1}, {1, 2}};
+  std::ostringstream out;
+  write_xyz(out, molecule);
+  EXPECT_EQ(out.str(),
+            "3\nProperties=species:S:1:pos:R:3:bonded:I:2 pbc=\"F F F\"\n"
+            "C 0 0 0 2 0\nC 1.5 0 0 1 3\nC 2 1.4 0 2 0\n");
+}
+
 TEST(Xyz, ReadsPlainFiles) {
   const Molecule m = read("2\r\na comment = with \"words\r\nC 0 0 0\r\n H\t1.09e0 +1 -0.5 extra\r\n\n").at(0);
   EXPECT_THAT(m.elements, ElementsAre(Element::carbon, Element::hydrogen));
