@@ -118,6 +118,9 @@ void run(BuildCommand& command) {
     options.progress = [&](std::string_view stage, double fraction) { bar.show(stage, fraction); };
     result = build_naming_the_file(command.mesh, surface.mesh, options);
   }
+  if (result.annealed && result.annealed->max_force > options.force_tolerance)
+    tell("warning", {fmt::format("the largest force left is {:.1e} eV/A, not below the {:.1e} asked for",
+                                 result.annealed->max_force, options.force_tolerance)});
   const auto report = build_report(result, options, {command.command_line, command.mesh, surface.repairs});
   write_outputs(command, result, report);
   if (!command.common.quiet) fmt::print("{}\n{}", command.data.string(), report_table(report));

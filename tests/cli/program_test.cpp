@@ -97,6 +97,15 @@ TEST_F(Program, EachKindOfFailureHasItsExitCodeAndLeavesNoFile) {
   EXPECT_FALSE(fs::exists(path("out.data")));
 }
 
+TEST_F(Program, WarnsWhereForcesStayAboveWhatWasAskedFor) {
+  const std::string build = "build " + octahedron() + " --quality draft --atoms 200 -o " + path("out.data");
+  EXPECT_THAT(run(build + " --max-force 1e-6").err, testing::Not(HasSubstr("largest force")));
+  const Outcome beyond_rounding = run(build + " --max-force 1e-16");
+  EXPECT_EQ(beyond_rounding.exit_code, 0);
+  EXPECT_THAT(beyond_rounding.err, HasSubstr("warning"));
+  EXPECT_THAT(beyond_rounding.err, HasSubstr("the largest force left is"));
+}
+
 TEST_F(Program, WholeNumbersMayHaveAnExponent) {
   const std::string build = "build " + octahedron() + " --quality draft --quiet -o ";
   ASSERT_EQ(run(build + path("exponent.data") + " --atoms 1e2").exit_code, 0);

@@ -18,7 +18,6 @@ constexpr double kCutOff = 2.0;
 constexpr unsigned kReach = 3;
 
 constexpr double kPush = 0.05;  // Angstrom, of the atom that moves farthest
-constexpr int kIterations = 20000;
 
 HessianSpectrum spectrum_of(const Molecule& molecule, int eigenvalues) {
   Rebo2 rebo2;
@@ -57,8 +56,7 @@ Rebo2MinimisationResult leave_saddle(Molecule& molecule, const Eigen::VectorXd& 
 }  // namespace
 
 Certificate certify(Molecule& molecule, const CertificateOptions& options) {
-  const Rebo2MinimisationOptions minimisation{.force_tolerance = options.force_tolerance,
-                                              .max_iterations = kIterations};
+  const Rebo2MinimisationOptions minimisation{.force_tolerance = options.force_tolerance};
   Rebo2MinimisationResult minimised = minimise_rebo2(molecule, minimisation);
   HessianSpectrum spectrum = spectrum_of(molecule, options.eigenvalues);
   Certificate certificate;

@@ -6,7 +6,8 @@ namespace nanocarbon {
 
 struct Rebo2MinimisationOptions {
   double force_tolerance = 1e-4;  //!< eV/Angstrom, on the largest force on an atom
-  int max_iterations = 5000;
+  //! Enough for 1e-6 eV/Angstrom: 10,000 atoms with modes down to 1e-4 eV/Angstrom^2 took 5,000 to 7,000.
+  int max_iterations = 20000;
 };
 
 struct Rebo2MinimisationResult {
