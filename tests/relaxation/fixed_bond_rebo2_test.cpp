@@ -29,7 +29,7 @@ class FixedBondRebo2OfFullerenes : public testing::TestWithParam<Known> {};
 TEST_P(FixedBondRebo2OfFullerenes, MinimaAreThoseOfTheFullPotential) {
   Molecule molecule = fullerene(GetParam().h, GetParam().k);
   FixedBondRebo2 rebo2;
-  rebo2.graph = fixed_bond_graph(molecule);
+  rebo2.set_graph(fixed_bond_graph(molecule));
   const LbfgsResult relaxed =
       minimise_lbfgs(molecule.positions, [&](auto x, auto g) { return rebo2.evaluate(x, g); },
                      {.max_iterations = 2000, .force_tolerance = 1e-7});
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Icosahedral, FixedBondRebo2OfFullerenes,
 TEST(FixedBondRebo2, ForcesAreTheSlopeOfTheEnergy) {
   const Molecule molecule = rattled(fullerene(2, 0), 0.12);
   FixedBondRebo2 rebo2;
-  rebo2.graph = fixed_bond_graph(molecule);
+  rebo2.set_graph(fixed_bond_graph(molecule));
   std::vector<Vec3> gradient(molecule.size(), Vec3::Zero()), unused = gradient;
   rebo2.evaluate(molecule.positions, gradient);
   for (std::size_t a = 0; a < molecule.size(); a += 7)
@@ -62,7 +62,7 @@ TEST(FixedBondRebo2, ForcesAreTheSlopeOfTheEnergy) {
 TEST(FixedBondRebo2, BondsStayHoweverFarTheyAreStretched) {
   Molecule molecule = fullerene(1, 1);
   FixedBondRebo2 rebo2;
-  rebo2.graph = fixed_bond_graph(molecule);
+  rebo2.set_graph(fixed_bond_graph(molecule));
   for (Vec3& p : molecule.positions) p *= 1.6;  // every bond beyond the cut-off of 2.0 Angstrom
   std::vector<Vec3> gradient(molecule.size(), Vec3::Zero());
   rebo2.evaluate(molecule.positions, gradient);

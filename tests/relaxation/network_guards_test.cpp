@@ -16,7 +16,7 @@ TEST(Guards, LeaveASoundMoleculeAlone) {
 
 TEST(Guards, GradientIsThatOfTheEnergy) {
   Molecule molecule = fullerene(1, 1);
-  const FixedBondRebo2::Graph graph = fixed_bond_graph(molecule);
+  const FixedBondGraph graph = fixed_bond_graph(molecule);
   molecule.positions[7] += Vec3(0.5, 0.6, -0.4);  // stretches bonds and closes angles
   std::vector<Vec3> gradient(60, Vec3::Zero()), unused(60, Vec3::Zero());
   EXPECT_GT(add_guards(graph, molecule.positions, gradient), 0.1);

@@ -49,9 +49,14 @@ long double attraction(const PairParameters& p, long double r) {
 
 Sp2Constants make_sp2_constants(const Rebo2Parameters& parameters) {
   const PairParameters& pair = parameters.pairs[pair_index(Element::carbon, Element::carbon)];
+  return make_sp2_constants(parameters, shortest_bond, pair.cutoff_begin);
+}
+
+Sp2Constants make_sp2_constants(const Rebo2Parameters& parameters, double shortest, double longest) {
+  const PairParameters& pair = parameters.pairs[pair_index(Element::carbon, Element::carbon)];
   Sp2Constants c = {};
-  c.shortest = shortest_bond;
-  c.longest = pair.cutoff_begin;
+  c.shortest = shortest;
+  c.longest = longest;
   // Away from straight and folded angles, where the dihedrals' switch acts or their sines vanish.
   c.lowest_cosine = linear_angle_end;
   c.highest_cosine = 0.99;

@@ -10,6 +10,9 @@ namespace nanocarbon {
 //! there.
 Sp2Constants make_sp2_constants(const Rebo2Parameters& parameters);
 
+//! The same on another range of bond lengths (Angstrom), without a cut-off.
+Sp2Constants make_sp2_constants(const Rebo2Parameters& parameters, double shortest, double longest);
+
 //! T and pi_RC of a bond between three-coordinated carbons among three-coordinated carbons: at (2, 2, 9).
 struct Sp2BondConstants {
   double torsion;

@@ -285,7 +285,7 @@ class Recipe {
       // Without the tether, still on fixed bonds: the way to the minimum may stretch bonds that the end does
       // not. For the rest of the way the full potential is as safe and faster; where it was not, again.
       model = {};
-      model.rebo2.graph = fixed_bond_graph(level.state.network);
+      model.rebo2.set_graph(fixed_bond_graph(level.state.network));
       std::vector<Vec3> positions = level.state.positions;
       minimise_fixed_bonds(
           model, nullptr, positions,
@@ -298,7 +298,7 @@ class Recipe {
     }
     result.accepted = level.accepted;
     result.network = level.state.network;
-    const GeometryCheck check = check_geometry(result.molecule.positions, model.rebo2.graph);
+    const GeometryCheck check = check_geometry(result.molecule.positions, model.rebo2.graph());
     result.shortest_bond = check.shortest_bond;
     result.longest_bond = check.longest_bond;
     result.closest_unbonded = check.closest_unbonded;

@@ -19,8 +19,8 @@ void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::
   for (int round = 0; round < 3; ++round) {
     model.planes = tangent_planes(surface, positions, model.planes);
     const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
-      return add_springs(model.rebo2.graph, x, g) +
-             model.contacts.evaluate(x, model.rebo2.graph.neighbours, g) +
+      return add_springs(model.rebo2.graph(), x, g) +
+             model.contacts.evaluate(x, model.rebo2.graph().neighbours, g) +
              add_tether(model.planes, kSpringTether, x, g, model.free_mean);
     };
     minimise_lbfgs(positions, energy, {.max_iterations = iterations / 3, .force_tolerance = 0.05});
@@ -29,10 +29,10 @@ void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::
 
 }  // namespace
 
-DualRelaxationResult relax_network(const FixedBondRebo2::Graph& graph, std::vector<Vec3>& positions,
+DualRelaxationResult relax_network(const FixedBondGraph& graph, std::vector<Vec3>& positions,
                                    const TetherSurface& surface, const DualRelaxationOptions& options) {
   FixedBondModel model;
-  model.rebo2.graph = graph;
+  model.rebo2.set_graph(graph);
   model.tether = options.tether;
   model.free_mean = options.free_mean;
   if (options.springs_first) relax_by_springs(model, surface, positions, options.max_iterations);
@@ -42,16 +42,16 @@ DualRelaxationResult relax_network(const FixedBondRebo2::Graph& graph, std::vect
     relaxed = minimise_fixed_bonds(
         model, &surface, positions,
         {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});
-    const std::vector<AtomIndex> tangled = tangled_atoms(positions, model.rebo2.graph);
+    const std::vector<AtomIndex> tangled = tangled_atoms(positions, model.rebo2.graph());
     if (tangled.empty() || attempt == options.untangling_attempts) break;
-    result.untangled = untangle(positions, model.rebo2.graph, surface, tangled, 3 + 2 * attempt);
+    result.untangled = untangle(positions, model.rebo2.graph(), surface, tangled, 3 + 2 * attempt);
     relax_by_springs(model, surface, positions, options.max_iterations);
   }
 
   std::vector<Vec3> gradient(positions.size(), Vec3::Zero());
   result.energy = model.rebo2.evaluate(positions, gradient);
   result.max_force = relaxed.max_force;
-  const GeometryCheck check = check_geometry(positions, model.rebo2.graph);
+  const GeometryCheck check = check_geometry(positions, model.rebo2.graph());
   result.shortest_bond = check.shortest_bond;
   result.longest_bond = check.longest_bond;
   result.closest_unbonded = check.closest_unbonded;

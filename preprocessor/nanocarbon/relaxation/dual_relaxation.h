@@ -33,7 +33,7 @@ DualRelaxationResult relax_dual(Molecule& molecule, const TetherSurface& surface
                                 const DualRelaxationOptions& options = {});
 
 //! The same for bare positions on a bond graph, as annealing keeps them.
-DualRelaxationResult relax_network(const FixedBondRebo2::Graph& graph, std::vector<Vec3>& positions,
+DualRelaxationResult relax_network(const FixedBondGraph& graph, std::vector<Vec3>& positions,
                                    const TetherSurface& surface, const DualRelaxationOptions& options = {});
 
 }  // namespace nanocarbon

@@ -8,8 +8,8 @@ namespace nanocarbon {
 
 double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   double energy = rebo2.evaluate(positions, gradient);
-  energy += add_guards(rebo2.graph, positions, gradient);
-  energy += contacts.evaluate(positions, rebo2.graph.neighbours, gradient);
+  energy += add_guards(rebo2.graph(), positions, gradient);
+  energy += contacts.evaluate(positions, rebo2.graph().neighbours, gradient);
   if (!planes.empty()) energy += add_tether(planes, tether, positions, gradient, free_mean);
   return energy;
 }

@@ -1,11 +1,9 @@
 #include "nanocarbon/relaxation/fixed_bond_rebo2.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "nanocarbon/core/error.h"
 #include "nanocarbon/rebo2/angular_spline.h"
 #include "nanocarbon/rebo2/coordination_tables.h"
 #include "nanocarbon/rebo2/pair_terms.h"
@@ -31,24 +29,37 @@ struct Fan {
 // Below this sine of the angle at the bond a dihedral angle has no direction; keeps forces finite.
 constexpr double kLeastSine = 1e-3;
 
+// In place of the half-edge back: the bond's other half is counted elsewhere, or not at all.
+constexpr std::uint32_t kNoHalf = static_cast<std::uint32_t>(-1);
+
 }  // namespace
 
-void FixedBondRebo2::Graph::list_all_bonds() {
-  bonds.clear();
-  for (AtomIndex a = 0; a < neighbours.size(); ++a)
-    for (std::uint32_t s = 0; s < 3; ++s) {
-      const AtomIndex n = neighbours[a][s];
-      if (n == no_atom || n <= a) continue;
-      const auto back = static_cast<std::uint32_t>(std::find(neighbours[n].begin(), neighbours[n].end(), a) -
-                                                   neighbours[n].begin());
-      bonds.push_back({3 * a + s, 3 * n + back});
+void FixedBondRebo2::set_graph(const FixedBondGraph& graph) {
+  graph_ = graph;
+  loops_.set_graph(graph_);
+  incomplete_.clear();
+  for (AtomIndex a = 0; a < graph_.inner_count(); ++a)
+    if (!graph_.complete(a)) incomplete_.push_back(a);
+}
+
+void FixedBondRebo2::set_edges(std::size_t atom, std::span<const Vec3> positions) {
+  for (unsigned s = 0; s < 3; ++s) {
+    const AtomIndex n = graph_.neighbours[atom][s];
+    if (n == no_atom) {
+      edges_[3 * atom + s] = {0, 0, 0, 0};
+      continue;
     }
+    const Vec3 d = positions[n] - positions[atom];
+    const double r = d.norm();
+    edges_[3 * atom + s] = {d.x() / r, d.y() / r, d.z() / r, r};
+  }
+  set_angles(atom);
 }
 
 void FixedBondRebo2::set_angles(std::size_t atom) {
   const HalfEdge* e = &edges_[3 * atom];
   Angle* angle = &angles_[3 * atom];
-  const auto& neighbours = graph.neighbours[atom];
+  const auto& neighbours = graph_.neighbours[atom];
   for (unsigned s = 0; s < 3; ++s) {
     const unsigned a = (s + 1) % 3, b = (s + 2) % 3;
     if (neighbours[a] == no_atom || neighbours[b] == no_atom) {
@@ -70,8 +81,10 @@ double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
   const Vec3 axis(edge.x, edge.y, edge.z);
   double order = 0;
   Fan fan[2];
-  bool dihedral = true;
-  for (int end = 0; end < 2; ++end) {
+  const int ends = reverse == kNoHalf ? 1 : 2;
+  const double share = 0.5 * ends;
+  bool dihedral = ends == 2;
+  for (int end = 0; end < ends; ++end) {
     const std::uint32_t half = end == 0 ? h : reverse, atom = half / 3, slot = half % 3;
     Angle* angle = &angles_[3 * atom];
     const unsigned k[2] = {(slot + 1) % 3, (slot + 2) % 3};
@@ -82,7 +95,7 @@ double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
     angle[k[0]].weight += weight;
     angle[k[1]].weight += weight;
     for (int n = 0; n < 2; ++n) {
-      dihedral &= graph.neighbours[atom][k[n]] != no_atom;
+      dihedral &= graph_.neighbours[atom][k[n]] != no_atom;
       const HalfEdge& other = edges_[3 * atom + k[n]];
       const Vec3 e(other.x, other.y, other.z);
       // The angle between slots `slot` and k[n] is the one opposite to the third slot.
@@ -118,83 +131,69 @@ double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
     own.z += on_axis.z();
     order += torsion_constant() * sum;
   }
-  own.length = repulsion.slope + order * attraction.slope;
-  return repulsion.value + order * attraction.value;
+  own.length = share * repulsion.slope + order * attraction.slope;
+  return share * repulsion.value + order * attraction.value;
+}
+
+double FixedBondRebo2::evaluate_each_bond(std::span<const Vec3> positions, std::span<Vec3> gradient) {
+  const std::size_t atoms = graph_.inner_count();
+  resize_scratch();
+  for (std::size_t a = 0; a < atoms; ++a) set_edges(a, positions);
+  double energy = 0;
+  for (AtomIndex a = 0; a < atoms; ++a)
+    for (std::uint32_t s = 0; s < 3; ++s) {
+      const AtomIndex n = graph_.neighbours[a][s];
+      if (n == no_atom || n < a) continue;
+      energy += add_bond(3 * a + s, n < atoms ? 3 * n + graph_.slot(n, a) : kNoHalf);
+    }
+  for (std::size_t a = 0; a < atoms; ++a) add_forces(a, gradient);
+  return energy;
 }
 
 double FixedBondRebo2::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
-  const std::size_t atoms = std::min(graph.inner, graph.neighbours.size());
-  edges_.resize(3 * atoms);
-  angles_.resize(3 * atoms);
-  edge_gradient_.assign(3 * atoms, HalfEdge{0, 0, 0, 0});
-  for (std::size_t a = 0; a < atoms; ++a) {
-    for (unsigned s = 0; s < 3; ++s) {
-      const AtomIndex n = graph.neighbours[a][s];
-      if (n == no_atom) {
-        edges_[3 * a + s] = {0, 0, 0, 0};
-        continue;
-      }
-      const Vec3 d = positions[n] - positions[a];
-      const double r = d.norm();
-      edges_[3 * a + s] = {d.x() / r, d.y() / r, d.z() / r, r};
-    }
-    set_angles(a);
-  }
-  double energy = 0;
-  for (const auto& [h, reverse] : graph.bonds) energy += add_bond(h, reverse);
-
-  for (std::size_t a = 0; a < atoms; ++a) {
-    const HalfEdge* e = &edges_[3 * a];
-    HalfEdge* g = &edge_gradient_[3 * a];
-    for (unsigned s = 0; s < 3; ++s) {
-      const Angle& angle = angles_[3 * a + s];
-      const double w = angle.weight * angle.slope;
-      if (w == 0) continue;
-      const unsigned i = (s + 1) % 3, j = (s + 2) % 3;
-      g[i].x += w * e[j].x, g[i].y += w * e[j].y, g[i].z += w * e[j].z;
-      g[j].x += w * e[i].x, g[j].y += w * e[i].y, g[j].z += w * e[i].z;
-    }
-    for (unsigned s = 0; s < 3; ++s) {
-      const AtomIndex n = graph.neighbours[a][s];
-      if (n == no_atom) continue;
-      const double along = g[s].x * e[s].x + g[s].y * e[s].y + g[s].z * e[s].z;
-      const double inverse = 1 / e[s].length, radial = g[s].length - along * inverse;
-      const Vec3 force(g[s].x * inverse + radial * e[s].x, g[s].y * inverse + radial * e[s].y,
-                       g[s].z * inverse + radial * e[s].z);
-      gradient[n] += force;
-      gradient[a] -= force;
-    }
+  const std::optional<double> fast = loops_.evaluate(positions, gradient);
+  if (!fast) return evaluate_each_bond(positions, gradient);
+  double energy = *fast;
+  if (incomplete_.empty()) return energy;
+  // Bonds of incomplete atoms have no dihedral: each end is for itself.
+  resize_scratch();
+  for (const AtomIndex a : incomplete_) {
+    set_edges(a, positions);
+    for (std::uint32_t s = 0; s < 3; ++s)
+      if (graph_.neighbours[a][s] != no_atom) energy += add_bond(3 * a + s, kNoHalf);
+    add_forces(a, gradient);
   }
   return energy;
 }
 
-FixedBondRebo2::Graph fixed_bond_graph(const Molecule& molecule) {
-  FixedBondRebo2::Graph graph;
-  graph.neighbours.assign(molecule.size(), {no_atom, no_atom, no_atom});
-  const auto add = [&](AtomIndex from, AtomIndex to) {
-    for (AtomIndex& slot : graph.neighbours[from])
-      if (slot == no_atom) {
-        slot = to;
-        return;
-      }
-    throw UserError(Failure::unsuitable,
-                    fmt::format("atom {} has more than three bonds; only sp2 carbon can be relaxed", from));
-  };
-  for (const Bond& bond : molecule.bonds) {
-    add(bond.first, bond.second);
-    add(bond.second, bond.first);
-  }
-  graph.list_all_bonds();
-  return graph;
+void FixedBondRebo2::resize_scratch() {
+  const std::size_t atoms = graph_.inner_count();
+  edges_.resize(3 * atoms);
+  angles_.resize(3 * atoms);
+  edge_gradient_.assign(3 * atoms, HalfEdge{0, 0, 0, 0});
 }
 
-FixedBondRebo2::Graph fixed_bond_graph(const TrivalentNetwork& network) {
-  FixedBondRebo2::Graph graph;
-  graph.neighbours.reserve(network.atoms.size());
-  for (const TrivalentAtom& atom : network.atoms)
-    graph.neighbours.push_back(atom.exists() ? atom.neighbour : std::array{no_atom, no_atom, no_atom});
-  graph.list_all_bonds();
-  return graph;
+void FixedBondRebo2::add_forces(std::size_t a, std::span<Vec3> gradient) {
+  const HalfEdge* e = &edges_[3 * a];
+  HalfEdge* g = &edge_gradient_[3 * a];
+  for (unsigned s = 0; s < 3; ++s) {
+    const Angle& angle = angles_[3 * a + s];
+    const double w = angle.weight * angle.slope;
+    if (w == 0) continue;
+    const unsigned i = (s + 1) % 3, j = (s + 2) % 3;
+    g[i].x += w * e[j].x, g[i].y += w * e[j].y, g[i].z += w * e[j].z;
+    g[j].x += w * e[i].x, g[j].y += w * e[i].y, g[j].z += w * e[i].z;
+  }
+  for (unsigned s = 0; s < 3; ++s) {
+    const AtomIndex n = graph_.neighbours[a][s];
+    if (n == no_atom) continue;
+    const double along = g[s].x * e[s].x + g[s].y * e[s].y + g[s].z * e[s].z;
+    const double inverse = 1 / e[s].length, radial = g[s].length - along * inverse;
+    const Vec3 force(g[s].x * inverse + radial * e[s].x, g[s].y * inverse + radial * e[s].y,
+                     g[s].z * inverse + radial * e[s].z);
+    gradient[n] += force;
+    gradient[a] -= force;
+  }
 }
 
 }  // namespace nanocarbon

@@ -7,7 +7,7 @@
 
 namespace nanocarbon {
 
-GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondRebo2::Graph& graph) {
+GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondGraph& graph) {
   GeometryCheck check;
   check.shortest_bond = std::numeric_limits<double>::infinity();
   const NeighbourList close = neighbours_within(positions, nullptr, unbonded_search_radius);

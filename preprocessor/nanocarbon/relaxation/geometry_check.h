@@ -20,6 +20,6 @@ struct GeometryCheck {
   bool sound() const { return longest_bond < 1.7 && closest_unbonded > 2.0; }
 };
 
-GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondRebo2::Graph& graph);
+GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondGraph& graph);
 
 }  // namespace nanocarbon

@@ -1,5 +1,6 @@
 #include "nanocarbon/relaxation/lbfgs.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -7,43 +8,40 @@ namespace nanocarbon {
 
 namespace {
 
+using Vector = Eigen::VectorXd;  // x, y, z of all atoms
+
+Eigen::Map<const Vector> flat(std::span<const Vec3> vectors) {
+  return {vectors.data()->data(), static_cast<Eigen::Index>(3 * vectors.size())};
+}
+
+Eigen::Map<Vector> flat(std::vector<Vec3>& vectors) {
+  return {vectors.data()->data(), static_cast<Eigen::Index>(3 * vectors.size())};
+}
+
 struct Pair {
-  std::vector<Vec3> step;
-  std::vector<Vec3> change;  // of the gradient over the step
-  double inverse_curvature;  // 1 / (step . change)
+  Vector step;
+  Vector change;                 // of the gradient over the step
+  double inverse_curvature = 0;  // 1 / (step . change)
 };
-
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
-
-void add(std::vector<Vec3>& to, double factor, const std::vector<Vec3>& what) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * what[i];
-}
 
 // Initial inverse Hessian before there is any pair: carbon bonds have about 40 eV/Angstrom^2.
 constexpr double kFirstScale = 0.02;
 
 // Descent direction from the newest pairs.
-void set_direction(std::vector<Vec3>& direction, const std::vector<Vec3>& gradient,
+void set_direction(Eigen::Map<Vector> direction, const Eigen::Map<const Vector>& gradient,
                    const std::deque<Pair>& pairs) {
   direction = gradient;
   std::vector<double> alpha(pairs.size());
   for (std::size_t k = pairs.size(); k-- > 0;) {
-    alpha[k] = pairs[k].inverse_curvature * dot(pairs[k].step, direction);
-    add(direction, -alpha[k], pairs[k].change);
+    alpha[k] = pairs[k].inverse_curvature * pairs[k].step.dot(direction);
+    direction -= alpha[k] * pairs[k].change;
   }
   double scale = kFirstScale;
-  if (!pairs.empty()) {
-    const Pair& newest = pairs.back();
-    scale = 1 / (newest.inverse_curvature * dot(newest.change, newest.change));
-  }
-  for (Vec3& d : direction) d *= -scale;
+  if (!pairs.empty()) scale = 1 / (pairs.back().inverse_curvature * pairs.back().change.squaredNorm());
+  direction *= -scale;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double beta = pairs[k].inverse_curvature * dot(pairs[k].change, direction);
-    add(direction, -alpha[k] - beta, pairs[k].step);
+    const double beta = pairs[k].inverse_curvature * pairs[k].change.dot(direction);
+    direction -= (alpha[k] + beta) * pairs[k].step;
   }
 }
 
@@ -67,8 +65,8 @@ LbfgsResult minimise_lbfgs(std::vector<Vec3>& positions, const EnergyFunction& e
     result.max_force = largest_norm(gradient);
     result.converged = result.max_force < options.force_tolerance;
     if (result.converged || result.iterations >= options.max_iterations) break;
-    set_direction(direction, gradient, pairs);
-    double slope = dot(direction, gradient);
+    set_direction(flat(direction), flat(std::span<const Vec3>(gradient)), pairs);
+    const double slope = flat(direction).dot(flat(gradient));
     if (!(slope < 0)) {
       if (pairs.empty()) break;
       pairs.clear();
@@ -80,7 +78,7 @@ LbfgsResult minimise_lbfgs(std::vector<Vec3>& positions, const EnergyFunction& e
     double next_energy = 0;
     bool accepted = false;
     for (int halving = 0; halving < max_halvings && !accepted; ++halving) {
-      for (std::size_t i = 0; i < n; ++i) next[i] = positions[i] + factor * direction[i];
+      flat(next) = flat(positions) + factor * flat(direction);
       std::fill(next_gradient.begin(), next_gradient.end(), Vec3::Zero());
       next_energy = energy(next, next_gradient);
       accepted = next_energy <= result.energy + 1e-4 * factor * slope + rounding;
@@ -91,17 +89,15 @@ LbfgsResult minimise_lbfgs(std::vector<Vec3>& positions, const EnergyFunction& e
       pairs.clear();
       continue;
     }
-    Pair pair{std::vector<Vec3>(n), std::vector<Vec3>(n), 0};
+    Pair pair;
     if (static_cast<int>(pairs.size()) == options.memory) {
       pair = std::move(pairs.front());
       pairs.pop_front();
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      pair.step[i] = next[i] - positions[i];
-      pair.change[i] = next_gradient[i] - gradient[i];
-    }
-    const double curvature = dot(pair.step, pair.change);
-    if (curvature > 1e-10 * dot(pair.change, pair.change)) {
+    pair.step = flat(next) - flat(positions);
+    pair.change = flat(next_gradient) - flat(gradient);
+    const double curvature = pair.step.dot(pair.change);
+    if (curvature > 1e-10 * pair.change.squaredNorm()) {
       pair.inverse_curvature = 1 / curvature;
       pairs.push_back(std::move(pair));
     }

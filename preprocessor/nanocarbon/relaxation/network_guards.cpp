@@ -12,12 +12,12 @@ constexpr double kStiffness = 20;  // eV/Angstrom^2
 
 }  // namespace
 
-double add_guards(const FixedBondRebo2::Graph& graph, std::span<const Vec3> positions,
+double add_guards(const FixedBondGraph& graph, std::span<const Vec3> positions,
                   std::span<Vec3> gradient) {
   constexpr double long2 = longest_unguarded_bond * longest_unguarded_bond;
   constexpr double close2 = closest_unguarded_second_neighbours * closest_unguarded_second_neighbours;
   double energy = 0;
-  const std::size_t atoms = std::min(graph.inner, graph.neighbours.size());
+  const std::size_t atoms = graph.inner_count();
   for (AtomIndex a = 0; a < atoms; ++a) {
     const auto& neighbours = graph.neighbours[a];
     for (unsigned s = 0; s < 3; ++s) {

@@ -6,10 +6,10 @@
 
 namespace nanocarbon {
 
-double add_springs(const FixedBondRebo2::Graph& graph, std::span<const Vec3> positions,
+double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions,
                    std::span<Vec3> gradient, const SpringOptions& options) {
   double energy = 0;
-  const std::size_t atoms = std::min(graph.inner, graph.neighbours.size());
+  const std::size_t atoms = graph.inner_count();
   for (AtomIndex a = 0; a < atoms; ++a) {
     const auto& neighbours = graph.neighbours[a];
     for (unsigned s = 0; s < 3; ++s) {

@@ -35,7 +35,7 @@ std::vector<double> smoothed(std::vector<double> values, const TrivalentNetwork&
 SpringBack spring_back(const SwitchingState& state, const TetherSurface& surface, bool with_scale) {
   const auto count = static_cast<double>(state.positions.size());
   FixedBondModel model;
-  model.rebo2.graph = fixed_bond_graph(state.network);
+  model.rebo2.set_graph(fixed_bond_graph(state.network));
   std::vector<Vec3> positions = state.positions;
   const LbfgsResult released = minimise_fixed_bonds(
       model, nullptr, positions, {.max_iterations = kIterations, .force_tolerance = kForceTolerance});

@@ -78,19 +78,13 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
 }
 
 void SwitchingPatch::list_bonds() {
-  auto& neighbours = rebo2_.graph.neighbours;
-  neighbours.resize(atoms_.size());
+  graph_.neighbours.resize(atoms_.size());
   for (std::size_t k = 0; k < atoms_.size(); ++k)
-    neighbours[k] = atoms_[k].exists() ? atoms_[k].neighbour : std::array{no_atom, no_atom, no_atom};
-  rebo2_.graph.list_all_bonds();
+    graph_.neighbours[k] = atoms_[k].exists() ? atoms_[k].neighbour : std::array{no_atom, no_atom, no_atom};
   // Atoms come in order of distance, and the last shell only lends its positions.
-  rebo2_.graph.inner = static_cast<std::size_t>(
-      std::find(distance_.begin(), distance_.end(), radius_ + kHalo) - distance_.begin());
-  auto& bonds = rebo2_.graph.bonds;
-  std::erase_if(bonds, [&](const std::array<std::uint32_t, 2>& bond) {
-    const unsigned p = distance_[bond[0] / 3], q = distance_[bond[1] / 3];
-    return std::min(p, q) > radius_ + 1 || std::max(p, q) > radius_ + 2;
-  });
+  graph_.inner = static_cast<std::size_t>(std::find(distance_.begin(), distance_.end(), radius_ + kHalo) -
+                                          distance_.begin());
+  rebo2_.set_graph(graph_);
 }
 
 void SwitchingPatch::list_contacts(const SwitchingState& state) {
@@ -163,7 +157,7 @@ void SwitchingPatch::place_added(AtomIndex u, AtomIndex w) {
 double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span<Vec3> gradient) {
   std::copy(free.begin(), free.end(), positions_.begin());
   gradient_.assign(positions_.size(), Vec3::Zero());
-  double energy = rebo2_.evaluate(positions_, gradient_) + add_guards(rebo2_.graph, positions_, gradient_);
+  double energy = rebo2_.evaluate(positions_, gradient_) + add_guards(graph_, positions_, gradient_);
   for (std::size_t k = 0; k < free_; ++k) {
     if (!atoms_[k].exists()) continue;
     const double height = height_above(planes_[k], positions_[k]) - mean_height_;
@@ -195,7 +189,7 @@ void SwitchingPatch::relax_springs(int iterations) {
   const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
     std::copy(x.begin(), x.end(), positions_.begin());
     gradient_.assign(positions_.size(), Vec3::Zero());
-    const double sum = add_springs(rebo2_.graph, positions_, gradient_);
+    const double sum = add_springs(graph_, positions_, gradient_);
     for (std::size_t k = 0; k < free_; ++k) g[k] += gradient_[k];
     return sum;
   };

@@ -61,6 +61,7 @@ class SwitchingPatch {
   std::vector<Vec3> gradient_;
   std::vector<TangentPlane> planes_;
   std::vector<Contact> contacts_;
+  FixedBondGraph graph_;
   FixedBondRebo2 rebo2_;
   std::size_t free_ = 0;
   unsigned radius_ = 0;

@@ -13,7 +13,7 @@ constexpr int kSweeps = 60;
 
 }  // namespace
 
-std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const FixedBondRebo2::Graph& graph) {
+std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const FixedBondGraph& graph) {
   std::vector<AtomIndex> tangled;
   const NeighbourList close = neighbours_within(positions, nullptr, kClosestUnbonded);
   for (AtomIndex a = 0; a < positions.size(); ++a) {
@@ -28,7 +28,7 @@ std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const Fixe
   return tangled;
 }
 
-std::size_t untangle(std::vector<Vec3>& positions, const FixedBondRebo2::Graph& graph,
+std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph,
                      const TetherSurface& surface, std::span<const AtomIndex> around, unsigned radius) {
   std::vector<AtomIndex> region(around.begin(), around.end());
   std::vector<bool> inside(positions.size(), false);
