@@ -69,6 +69,49 @@ TEST(FixedBondRebo2, BondsStayHoweverFarTheyAreStretched) {
   for (std::size_t a = 0; a < molecule.size(); ++a) EXPECT_GT(gradient[a].dot(molecule.positions[a]), 0) << a;
 }
 
+// Both ways share no code but the parameters.
+void expect_both_ways_agree(FixedBondRebo2& rebo2, std::span<const Vec3> positions) {
+  std::vector<Vec3> loops(positions.size(), Vec3::Zero()), each = loops;
+  const double by_loops = rebo2.evaluate(positions, loops);
+  const double by_bonds = rebo2.evaluate_each_bond(positions, each);
+  EXPECT_NEAR(by_loops, by_bonds, 1e-9 * static_cast<double>(positions.size()));
+  for (std::size_t a = 0; a < positions.size(); ++a) EXPECT_LT((loops[a] - each[a]).norm(), 1e-7) << a;
+}
+
+TEST(FixedBondRebo2, LoopsAgreeWithBondByBond) {
+  for (const double amplitude : {0.0, 0.05, 0.15}) {
+    const Molecule molecule = rattled(fullerene(2, 1), amplitude);
+    FixedBondRebo2 rebo2;
+    rebo2.set_graph(fixed_bond_graph(molecule));
+    expect_both_ways_agree(rebo2, molecule.positions);
+  }
+}
+
+// A cap with a rim: atoms with one and two bonds among the others.
+TEST(FixedBondRebo2, LoopsAgreeWithBondByBondAtBorders) {
+  Molecule molecule = rattled(fullerene(2, 1), 0.05);
+  std::erase_if(molecule.bonds, [&](const Bond& b) {
+    return molecule.positions[b.first].z() < 0 || molecule.positions[b.second].z() < 0;
+  });
+  FixedBondRebo2 rebo2;
+  rebo2.set_graph(fixed_bond_graph(molecule));
+  expect_both_ways_agree(rebo2, molecule.positions);
+}
+
+TEST(FixedBondRebo2, AtomsShareTheEnergyOfTheirBonds) {
+  const Molecule molecule = rattled(fullerene(2, 1), 0.05);
+  FixedBondGraph graph = fixed_bond_graph(molecule);
+  FixedBondRebo2 whole, part;
+  whole.set_graph(graph);
+  graph.inner = molecule.size() / 2;  // the other half only lends its positions
+  part.set_graph(graph);
+  expect_both_ways_agree(part, molecule.positions);
+  std::vector<Vec3> unused(molecule.size(), Vec3::Zero());
+  // Half of the energy but for the dihedrals of the cut bonds, which are small.
+  const double all = whole.evaluate(molecule.positions, unused);
+  EXPECT_NEAR(part.evaluate(molecule.positions, unused), 0.5 * all, 0.01 * std::abs(all));
+}
+
 TEST(FixedBondRebo2, AFourthBondIsRefused) {
   Molecule molecule;
   molecule.positions.assign(5, Vec3::Zero());

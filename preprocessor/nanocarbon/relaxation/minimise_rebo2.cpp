@@ -37,9 +37,9 @@ Rebo2MinimisationResult minimise_rebo2(Molecule& molecule, const Rebo2Minimisati
     for (std::size_t a = 0; a < gradient.size(); ++a) gradient[a] -= result.forces[a];
     return result.energy;
   };
-  const LbfgsResult relaxed = minimise_lbfgs(
-      molecule.positions, energy,
-      {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance, .memory = 12});
+  const LbfgsResult relaxed =
+      minimise_lbfgs(molecule.positions, energy,
+                     {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});
   return {relaxed.energy, relaxed.max_force, relaxed.iterations, relaxed.converged,
           bonds_are_those_seen(molecule)};
 }
