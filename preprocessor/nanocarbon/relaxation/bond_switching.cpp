@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "nanocarbon/relaxation/refused_switches.h"
 #include "nanocarbon/relaxation/switching_trial.h"
 #include "nanocarbon/relaxation/thread_team.h"
 
@@ -47,6 +49,17 @@ class DefectList {
   std::vector<std::size_t> place_;
 };
 
+// What one place of a batch has come to.
+struct Attempt {
+  std::size_t trials = 0;  // drawn, those known to be refused included
+  bool made = false;
+  std::uint64_t key = 0;
+  double allowance = 0;
+  Trial trial;
+};
+
+constexpr double kLeastCosine = 0.2;  // of the angle between an atom's normal and the surface's
+
 class Annealer {
  public:
   Annealer(SwitchingState& state, const TetherSurface& surface, const BondSwitchingOptions& options)
@@ -61,6 +74,10 @@ class Annealer {
     penalty_ =
         options.count_penalty >= 0 ? options.count_penalty : default_penalty(static_cast<double>(target_));
     state_.tether = options.tether;
+    identity_.resize(atoms_);
+    std::iota(identity_.begin(), identity_.end(), 0u);
+    next_identity_ = static_cast<std::uint32_t>(atoms_);
+    changed_.assign(atoms_, 0);
   }
 
   BondSwitchingResult run() {
@@ -73,6 +90,7 @@ class Annealer {
       const double progress = options_.blocks > 1 ? static_cast<double>(block) / (options_.blocks - 1) : 1;
       terms_.temperature = options_.hot * std::pow(options_.cold / options_.hot, progress);
       run_block();
+      refused_.next_block();
       compact_state();
       const double energy = relax_state(state_, surface_, 150, 0.02);
       const double per_atom = energy / static_cast<double>(atoms_);
@@ -101,12 +119,17 @@ class Annealer {
         static_cast<std::size_t>(options_.trials_per_defect * static_cast<double>(defects_.list().size()));
     std::size_t since_relaxation = 0;
     const std::size_t relax_every = std::max<std::size_t>(40, atoms_ / 50);
-    for (std::size_t done = 0; done < trials && !defects_.list().empty(); done += kBatch) {
+    const std::size_t enough = result_.trials + trials;
+    while (result_.trials < enough && !defects_.list().empty()) {
       run_batch();
-      for (const Trial& trial : batch_) {
-        if (!trial.accepted || overlaps(trial)) continue;
-        commit(trial);
-        ++since_relaxation;
+      for (const Attempt& attempt : batch_) {
+        result_.trials += attempt.trials;
+        if (attempt.trial.accepted && !overlaps(attempt.trial)) {
+          commit(attempt.trial);
+          ++since_relaxation;
+        } else if (attempt.made && !attempt.trial.accepted) {
+          refused_.add(attempt.key, attempt.allowance, batch_number_);
+        }
       }
       if (since_relaxation >= relax_every) {
         compact_state();
@@ -117,7 +140,7 @@ class Annealer {
   }
 
   void run_batch() {
-    batch_.assign(kBatch, Trial{});
+    batch_.assign(kBatch, Attempt{});
     terms_.count_penalty = penalty_;
     terms_.climb_share = options_.climb_share;
     terms_.atoms_above_target = static_cast<long>(atoms_) - static_cast<long>(target_);
@@ -125,15 +148,37 @@ class Annealer {
     next_stream_ += kBatch;
     team_.run(kBatch, [&](std::size_t k, unsigned thread) {
       RandomStream random(options_.seed, first + k);
-      // Most draws are ruled out by ring sizes alone, which costs next to nothing: draw until one is not.
-      std::optional<NetworkEdit> edit;
-      for (int draw = 0; draw < 20 && !edit; ++draw)
-        edit = draw_edit(state_.network, defects_.list(), options_.climb_share, random);
-      if (edit) batch_[k] = try_edit(state_, std::move(*edit), terms_, random, workspaces_[thread]);
+      batch_[k] = attempt(random, workspaces_[thread]);
     });
-    result_.trials += kBatch;
     changed_.resize(state_.network.atoms.size(), 0);
     ++batch_number_;
+  }
+
+  // Most draws cost next to nothing: ring sizes rule them out, or the same switch has been refused before
+  // under a higher allowance. Draws until one must be tried.
+  Attempt attempt(RandomStream& random, TrialWorkspace& workspace) const {
+    Attempt attempt;
+    constexpr int draws = 60;
+    for (int draw = 0; draw < draws && !attempt.made; ++draw) {
+      auto edit = draw_edit(state_.network, defects_.list(), options_.climb_share, random);
+      if (!edit) continue;
+      ++attempt.trials;
+      attempt.allowance = draw_allowance(*edit, terms_, random);
+      attempt.key = switch_key(*edit, identity_);
+      if (refused_.contains(attempt.key, attempt.allowance, last_change(*edit))) continue;
+      attempt.made = true;
+      attempt.trial = try_edit(state_, std::move(*edit), attempt.allowance, kLeastCosine, workspace);
+    }
+    attempt.trials = std::max<std::size_t>(attempt.trials, 1);
+    return attempt;
+  }
+
+  // The batch that moved one of the switch's own atoms last: what happens farther away hardly matters.
+  std::uint64_t last_change(const NetworkEdit& edit) const {
+    std::uint64_t last = 0;
+    for (const auto& change : edit.atoms)
+      if (change.atom < changed_.size()) last = std::max(last, changed_[change.atom]);
+    return last;
   }
 
   bool overlaps(const Trial& trial) const {
@@ -146,6 +191,9 @@ class Annealer {
     state_.positions.resize(state_.network.atoms.size(), Vec3::Zero());
     state_.planes.resize(state_.network.atoms.size());
     changed_.resize(state_.network.atoms.size(), 0);
+    identity_.resize(state_.network.atoms.size());
+    if (trial.edit->atoms_added() > 0)
+      for (const AtomIndex a : added) identity_[a] = next_identity_++;
     if (trial.edit->atoms_added() > 0) lift_as_neighbours(added);
     for (std::size_t k = 0; k < trial.moved.size(); ++k) {
       AtomIndex a = trial.moved[k];
@@ -179,6 +227,8 @@ class Annealer {
     for (std::size_t a = 0; a < former.size(); ++a) {
       state_.positions[a] = state_.positions[former[a]];
       state_.planes[a] = state_.planes[former[a]];
+      changed_[a] = changed_[former[a]];
+      identity_[a] = identity_[former[a]];
       if (!state_.lift.empty()) state_.lift[a] = state_.lift[former[a]];
     }
     if (!state_.lift.empty()) state_.lift.resize(former.size());
@@ -186,7 +236,8 @@ class Annealer {
     state_.planes.resize(former.size());
     free_atoms_.clear();
     free_rings_.clear();
-    changed_.assign(state_.network.atoms.size(), 0);
+    changed_.resize(former.size());
+    identity_.resize(former.size());
     defects_ = DefectList(state_.network);
   }
 
@@ -196,7 +247,10 @@ class Annealer {
   ThreadTeam team_;
   std::vector<TrialWorkspace> workspaces_;
   DefectList defects_;
-  std::vector<Trial> batch_;
+  std::vector<Attempt> batch_;
+  RefusedSwitches refused_;
+  std::vector<std::uint32_t> identity_;  // of each atom, whatever entry it has
+  std::uint32_t next_identity_ = 0;
   std::vector<std::uint64_t> changed_;  // number of the last batch that moved the atom
   std::uint64_t batch_number_ = 0, next_stream_ = 0;
   std::vector<AtomIndex> free_atoms_;

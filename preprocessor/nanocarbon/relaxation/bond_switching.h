@@ -30,7 +30,7 @@ struct BondSwitchingOptions {
 struct BondSwitchingResult {
   double energy_before = 0;  //!< eV for each atom, with tether
   double energy = 0;         //!< eV for each atom, with tether, of the best block, which is kept
-  std::size_t trials = 0;    //!< relaxed, screened ones included
+  std::size_t trials = 0;    //!< drawn, those known to be refused included
   std::size_t accepted = 0;
   std::size_t defects = 0;
 };

@@ -66,13 +66,16 @@ std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<
   return edit;
 }
 
-Trial try_edit(const SwitchingState& state, NetworkEdit edit, const TrialTerms& terms, RandomStream& random,
+double draw_allowance(const NetworkEdit& edit, const TrialTerms& terms, RandomStream& random) {
+  const double above = static_cast<double>(terms.atoms_above_target), gained = edit.atoms_added();
+  return -terms.temperature * std::log(std::max(random.uniform(), 1e-300)) +
+         terms.chemical_potential * gained -
+         terms.count_penalty * ((above + gained) * (above + gained) - above * above);
+}
+
+Trial try_edit(const SwitchingState& state, NetworkEdit edit, double allowance, double least_cosine,
                TrialWorkspace& workspace) {
   Trial trial;
-  const double above = static_cast<double>(terms.atoms_above_target), gained = edit.atoms_added();
-  const double allowance = -terms.temperature * std::log(std::max(random.uniform(), 1e-300)) +
-                           terms.chemical_potential * gained -
-                           terms.count_penalty * ((above + gained) * (above + gained) - above * above);
   const bool screened = edit.kind == NetworkEdit::Kind::flip;
   if (screened) {
     SwitchingPatch& patch = workspace.near;
@@ -106,7 +109,7 @@ Trial try_edit(const SwitchingState& state, NetworkEdit edit, const TrialTerms& 
   const LbfgsResult relaxed =
       patch.relax({.max_iterations = 40, .force_tolerance = 0.02, .max_step = 0.15, .stop = hopeless});
   trial.energy_change = relaxed.energy - before;
-  trial.accepted = trial.energy_change <= allowance && patch.unfolded(terms.least_cosine);
+  trial.accepted = trial.energy_change <= allowance && patch.unfolded(least_cosine);
   if (!trial.accepted) return trial;
   for (std::size_t k = 0; k < patch.size(); ++k) {
     trial.looked.push_back(patch.atom(k));

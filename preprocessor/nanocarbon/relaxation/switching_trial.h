@@ -15,7 +15,6 @@ struct TrialTerms {
   double count_penalty = 0;       //!< eV for each (atoms - target)^2
   long atoms_above_target = 0;
   double climb_share = 0.35;  //!< of trials that add or remove a pair of atoms
-  double least_cosine = 0.2;  //!< of the angle between an atom's normal and the surface's
 };
 
 //! Outcome of one trial; what to write back if it is accepted.
@@ -41,10 +40,15 @@ struct TrialWorkspace {
 std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<const RingIndex> defects,
                                      double climb_share, RandomStream& random);
 
-//! \brief Tries a switch on a copy of its surroundings: relaxes them, and judges by the Metropolis rule.
-//! \details The threshold is drawn first, so that hopeless relaxations end early. Flips are screened on a
-//! small patch. The state is not changed: any number of trials may run at once.
-Trial try_edit(const SwitchingState& state, NetworkEdit edit, const TrialTerms& terms, RandomStream& random,
+//! The most that the energy of the bonds may rise by a switch, eV: drawn by the Metropolis rule before
+//! anything is relaxed.
+double draw_allowance(const NetworkEdit& edit, const TrialTerms& terms, RandomStream& random);
+
+//! \brief Tries a switch on a copy of its surroundings: relaxes them, and accepts what stays within the
+//! allowance.
+//! \details Hopeless relaxations end early, and flips are screened on a small patch. The state is not
+//! changed: any number of trials may run at once.
+Trial try_edit(const SwitchingState& state, NetworkEdit edit, double allowance, double least_cosine,
                TrialWorkspace& workspace);
 
 }  // namespace nanocarbon
