@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <random>
+
 #include "nanocarbon/structures/shapes.h"
 
 namespace nanocarbon {
@@ -39,6 +42,29 @@ TEST(SurfaceFit, KeepsTheSizeWhereThatIsAsked) {
   std::vector<Vec3> larger;
   for (const Vec3& p : mesh.points) larger.push_back(1.05 * p);
   EXPECT_EQ(fit_to_surface(larger, TetherSurface(mesh, 1), false).scale, 1.0);
+}
+
+// A wedge of six degrees: the nearest planes turn over between its sides, and steps by them led 60 Angstrom
+// away.
+TEST(SurfaceFit, NeverLeadsAwayFromAThinShape) {
+  TriangleMesh wedge;
+  wedge.points = {{0, 0, 0}, {20, 0, 1.05}, {20, 0, -1.05}, {0, 30, 0}, {20, 30, 1.05}, {20, 30, -1.05}};
+  wedge.triangles = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {0, 2, 5}, {0, 5, 3}, {1, 4, 5}, {1, 5, 2}};
+  const TetherSurface surface(wedge, 1.5);
+  std::mt19937_64 random(7);
+  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto sum_of_squares = [&](const std::vector<Vec3>& atoms, const Similarity& fit) {
+    double sum = 0;
+    for (const Vec3& p : atoms) sum += std::pow(surface.distance(fit(p)), 2);
+    return sum;
+  };
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<Vec3> atoms;
+    for (int k = 0; k < 300; ++k)
+      atoms.push_back(Vec3(25 * uniform(), 45 * uniform(), 0.3 * trial * (2 * uniform() - 1)));
+    const Similarity fit = fit_to_surface(atoms, surface, true);
+    EXPECT_LE(sum_of_squares(atoms, fit), sum_of_squares(atoms, Similarity{}) + 1e-9) << trial;
+  }
 }
 
 TEST(SurfaceFit, LeavesSymmetriesOfTheSurfaceAlone) {

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nanocarbon {
 
@@ -25,7 +26,10 @@ Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& 
   for (const Vec3& p : positions) fit.centre += p / count;
   double radius = 0;
   for (const Vec3& p : positions) radius += (p - fit.centre).norm() / count;
-  for (int round = 0; round < kRounds; ++round) {
+  Similarity best = fit;
+  double least = std::numeric_limits<double>::infinity();  // mean square distance under the best
+  for (int round = 0;; ++round) {
+    double misfit = 0;
     Matrix7 normal_matrix = Matrix7::Zero();
     Vector7 right = Vector7::Zero();
     for (const Vec3& p : positions) {
@@ -35,7 +39,13 @@ Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& 
       row << plane.normal, arm.cross(plane.normal), with_scale ? arm.dot(plane.normal) : 0.0;
       normal_matrix += row * row.transpose() / count;
       right -= height_above(plane, x) * row / count;
+      misfit += (x - plane.point).squaredNorm() / count;
     }
+    // Planes are no surface: near edges and thin parts a step by them may lead away.
+    if (misfit >= least) break;
+    best = fit;
+    least = misfit;
+    if (round == kRounds) break;
     const Eigen::SelfAdjointEigenSolver<Matrix7> modes(normal_matrix);
     Vector7 step = Vector7::Zero();
     for (int m = 0; m < 7; ++m)
@@ -46,9 +56,8 @@ Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& 
       fit.turn = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * fit.turn;
     fit.scale = std::clamp(fit.scale * (1 + step[6] / radius), kLeastScale, kLargestScale);
     fit.shift += step.head<3>();
-    if (step.norm() < 1e-4) break;
   }
-  return fit;
+  return best;
 }
 
 }  // namespace nanocarbon
