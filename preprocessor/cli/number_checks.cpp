@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace nanocarbon {
 namespace {
@@ -18,17 +21,27 @@ CLI::Validator number_that(const std::string& rule, Test test) {
       rule);
 }
 
+bool is_digits(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
 }  // namespace
 
 CLI::Validator whole_number() {
   return CLI::Validator(
       [](std::string& text) {
         constexpr double exact = 9007199254740992.0;  // 2^53; larger ones must come in digits
-        if (!text.empty() && text.find_first_not_of("0123456789") == std::string::npos) return std::string();
         double number = 0.0;
-        if (!CLI::detail::lexical_cast(text, number) || !(std::abs(number) <= exact) ||
-            number != std::floor(number))
+        if (!CLI::detail::lexical_cast(text, number) || number != std::floor(number))
           return fmt::format("'{}' is no whole number, such as 10000 or 1e4", text);
+        if (is_digits(text)) {
+          // CLI11 reads digits after a leading zero as octal, and cuts what does not fit.
+          text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
+          std::uint64_t whole = 0;
+          if (std::from_chars(text.data(), text.data() + text.size(), whole).ec == std::errc())
+            return std::string();
+        }
+        if (!(std::abs(number) <= exact)) return fmt::format("'{}' is too large", text);
         text = fmt::format("{:.0f}", number);
         return std::string();
       },

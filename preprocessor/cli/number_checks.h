@@ -13,7 +13,7 @@ CLI::Validator between(double low, double high);
 //! @}
 
 //! \brief Lets whole numbers through, as 10000, 1e4 or 10000.0, and writes them in digits for the option to
-//! read. \details Goes to transform(), not to check().
+//! read. \details Refuses those that 64 bits do not hold. Goes to transform(), not to check().
 CLI::Validator whole_number();
 
 }  // namespace nanocarbon

@@ -115,10 +115,22 @@ TEST_F(Program, WholeNumbersMayHaveAnExponent) {
     return data.substr(data.find('\n'));
   };
   EXPECT_EQ(atoms("exponent.data"), atoms("digits.data"));
-  for (const std::string number : {"10k", "1.5", "1e", "1e-3", "1e400"}) {
+  ASSERT_EQ(run(build + path("zeros.data") + " --atoms 00100").exit_code, 0);
+  EXPECT_EQ(atoms("zeros.data"), atoms("digits.data"));
+  for (const std::string number : {"10k", "1.5", "1e", "1e-3"}) {
     const Outcome outcome = run(build + path("none.data") + " --atoms " + number);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, HasSubstr("--atoms: '" + number + "' is no whole number"));
+  }
+}
+
+TEST_F(Program, WholeNumbersThatDoNotFitAreRefusedAndNotCut) {
+  const std::string build = "build " + octahedron() + " --quality draft --atoms 100 --quiet -o ";
+  EXPECT_EQ(run(build + path("largest.data") + " --seed 18446744073709551615").exit_code, 0);
+  for (const std::string number : {"18446744073709551616", "1e18", "1e400"}) {
+    const Outcome outcome = run(build + path("none.data") + " --seed " + number);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("--seed: '" + number + "' is too large"));
   }
 }
 
