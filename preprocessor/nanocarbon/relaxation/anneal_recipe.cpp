@@ -76,6 +76,11 @@ void relax_level(Level& level, const TetherSurface& tether_surface, bool raw = t
   level.sound = relaxed.longest_bond < kSafeBond && relaxed.closest_unbonded > kSafeDistance;
 }
 
+bool holds(const Level& level) {
+  const GeometryCheck check = check_geometry(level.state.positions, fixed_bond_graph(level.state.network));
+  return check.longest_bond < kSafeBond && check.closest_unbonded > kSafeDistance;
+}
+
 // Switches bonds until REBO2 would see the bonds that are meant, a little at a time and without heat.
 void mend_level(Level& level, const TetherSurface& tether_surface, BondSwitchingOptions options) {
   options.hot = options.cold = 0.2;
@@ -115,9 +120,15 @@ class Recipe {
     relax_level(level, TetherSurface(surface_, 1));
     result.unannealed_energy = level.unannealed;
     if (options_.quality != AnnealQuality::draft) {
+      const Level direct = level;
       result.refinements = begin_coarse(level);
-      anneal_level(level, TetherSurface(surface_, 1),
-                   result.refinements > 0 ? fine_switching(0) : single_level_switching());
+      if (result.refinements > 0) anneal_level(level, TetherSurface(surface_, 1), fine_switching(0));
+      // A bond that refining has overstretched is mostly mended by annealing; where not, without refining.
+      if (result.refinements > 0 && !level.sound && !holds(level)) {
+        level = direct;
+        result.refinements = 0;
+      }
+      if (result.refinements == 0) anneal_level(level, TetherSurface(surface_, 1), single_level_switching());
       come_closer(level);
     }
     finish(level, result);
@@ -185,8 +196,9 @@ class Recipe {
         level->state = refined_in_four(level->state, tether_surface);
         level->state.tether = options_.tether;
         relax_level(*level, tether_surface);
-        if (!level->sound) level.reset();
-        if (level && left > 0) anneal_level(*level, tether_surface, fine_switching(left));
+        if (left == 0) break;  // run() anneals it, and looks
+        anneal_level(*level, tether_surface, fine_switching(left));
+        if (!level->sound && !holds(*level)) level.reset();
       }
       if (!level || level->unannealed > direct.unannealed) continue;
       direct = std::move(*level);
