@@ -14,6 +14,7 @@
 #include "nanocarbon/molecule/connected_pieces.h"
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/relaxation/dual_minimum.h"
+#include "nanocarbon/relaxation/geometry_check.h"
 #include "nanocarbon/remeshing/atoms_for_features.h"
 #include "nanocarbon/remeshing/crystallise.h"
 #include "nanocarbon/remeshing/make_room.h"
@@ -146,6 +147,26 @@ void require_rings_of_carbon(const Molecule& molecule) {
                     wrong));
 }
 
+void require_bonds_that_hold(const BuildResult& result, const BuildOptions& options) {
+  if (!result.annealed->intact && !options.force)
+    throw UserError(Failure::failed, why_it_does_not_hold(result.molecule, result.surface));
+}
+
+// Goes on to the minimum, which may be far from where annealing was asked to stop.
+void certify_annealed(BuildResult& result, const BuildOptions& options) {
+  const Certificate certificate =
+      certify(result.molecule, {.force_tolerance = std::min(1e-6, options.force_tolerance)});
+  AnnealResult& annealed = *result.annealed;
+  annealed.energy = certificate.energy / static_cast<double>(result.molecule.size());
+  annealed.max_force = certificate.max_force;
+  annealed.intact = certificate.intact;
+  const GeometryCheck check = check_geometry(result.molecule.positions, fixed_bond_graph(annealed.network));
+  annealed.shortest_bond = check.shortest_bond;
+  annealed.longest_bond = check.longest_bond;
+  annealed.closest_unbonded = check.closest_unbonded;
+  result.certificate = certificate;
+}
+
 void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
   if (!options.force) require_room_for_features(result, options);
@@ -172,15 +193,12 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   result.molecule = std::exchange(result.annealed->molecule, {});
   result.surface.scale *= result.annealed->growth;
   for (Vec3& point : result.surface.mesh.points) point *= result.annealed->growth;
-  if (!result.annealed->intact && !options.force)
-    throw UserError(Failure::failed, why_it_does_not_hold(result.molecule, result.surface));
+  require_bonds_that_hold(result, options);
   if (!options.force) require_rings_of_carbon(result.molecule);
   if (options.certify) {
     if (options.progress) options.progress("certifying", 0.0);
-    result.certificate =
-        certify(result.molecule, {.force_tolerance = std::min(1e-6, options.force_tolerance)});
-    result.annealed->energy = result.certificate->energy / static_cast<double>(result.molecule.size());
-    result.annealed->max_force = result.certificate->max_force;
+    certify_annealed(result, options);
+    require_bonds_that_hold(result, options);
   }
   result.triangulation = triangulation_of(result.annealed->network, result.molecule.positions);
   result.seconds.molecule = stage.lap() - result.seconds.remeshing;

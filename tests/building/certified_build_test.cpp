@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "nanocarbon/building/build_molecule.h"
+#include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/relaxation/minimise_rebo2.h"
+#include "nanocarbon/structures/shapes.h"
+
+namespace nanocarbon {
+namespace {
+
+// Least distance of two atoms that are not bonded to each other, within a reach.
+double closest_unbonded(const Molecule& molecule, double reach) {
+  double closest = reach;
+  const NeighbourList near = neighbours_within(molecule.positions, nullptr, reach);
+  for (AtomIndex a = 0; a < molecule.size(); ++a)
+    for (const Neighbour& n : near.of(a)) {
+      const Bond bond{std::min(a, n.atom), std::max(a, n.atom)};
+      if (std::find(molecule.bonds.begin(), molecule.bonds.end(), bond) != molecule.bonds.end()) continue;
+      closest = std::min(closest, (molecule.positions[a] - molecule.positions[n.atom]).norm());
+    }
+  return closest;
+}
+
+// A needle that is far too thin, stopped far from its minimum: the certificate's minimisation goes on to
+// where atoms are pressed into REBO2's reach of each other.
+TEST(CertifiedBuild, TellsOfTheMoleculeAtItsMinimumAndNotBefore) {
+  TriangleMesh needle = make_sphere(1, 10);
+  for (Vec3& p : needle.points) p = Vec3(0.02 * p.x(), 0.02 * p.y(), p.z());
+  BuildOptions options;
+  options.size = AtomCount{200};
+  options.quality = AnnealQuality::draft;
+  options.force = true;
+  options.force_tolerance = 10;
+  options.certify = true;
+  const BuildResult result = build_molecule(needle, options);
+  EXPECT_NEAR(result.annealed->closest_unbonded, closest_unbonded(result.molecule, 2.2), 1e-9);
+  Molecule again = result.molecule;
+  EXPECT_EQ(result.annealed->intact, minimise_rebo2(again, {.force_tolerance = 1e-6}).intact);
+}
+
+}  // namespace
+}  // namespace nanocarbon
