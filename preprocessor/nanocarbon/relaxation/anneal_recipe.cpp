@@ -29,6 +29,8 @@ constexpr double kCoarseDistance = 3;
 // Spring-back from the surface that is left as it is, Angstrom, and the price of more of it, eV for each atom
 // and Angstrom: what decides between two molecules.
 constexpr double kFineDistance = 0.8, kDistancePrice = 0.01;
+// Likewise of two starts where the size is prescribed.
+constexpr double kSizePrice = 0.05;
 constexpr int kCompensations = 2;
 
 // What REBO2 must see, with a margin for what happens when the tether goes: whole bonds end at 1.7 Angstrom,
@@ -200,11 +202,17 @@ class Recipe {
         anneal_level(*level, tether_surface, fine_switching(left));
         if (!level->sound && !holds(*level)) level.reset();
       }
-      if (!level || level->unannealed > direct.unannealed) continue;
+      if (!level || start_merit(*level) > start_merit(direct)) continue;
       direct = std::move(*level);
       return refinements;
     }
     return 0;
+  }
+
+  // Coarse sheets are the stiffer ones: they swell where they are bent, and what is refined from them is too
+  // wide. That counts where the size is meant.
+  double start_merit(const Level& level) const {
+    return level.unannealed + (options_.keep_size ? kSizePrice * level.mean_distance : 0);
   }
 
   // The best of several annealed starts at a coarser level, or nothing where the shape is not held there.
