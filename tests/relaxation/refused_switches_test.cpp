@@ -32,6 +32,34 @@ TEST(SwitchKey, TellsEveryBondApartAndHasOneForBothItsEnds) {
   EXPECT_EQ(2 * keys.size(), switches);
 }
 
+TEST(SwitchKey, TellsSplitsApart) {
+  const TrivalentNetwork network = trivalent_network(test::unit_sphere(4));
+  const auto identity = numbered(network);
+  const auto key = [&](RingIndex ring, unsigned first) {
+    return switch_key(split_ring(network, ring, first, 3).value(), identity);
+  };
+  std::set<std::uint64_t> keys;
+  std::size_t hexagons = 0;
+  for (RingIndex ring = 0; ring < network.rings.size(); ++ring) {
+    if (network.rings[ring].size != 6) continue;
+    ++hexagons;
+    // Atoms go into opposite bonds of a hexagon, of which there are three pairs.
+    for (unsigned first = 0; first < 3; ++first) keys.insert(key(ring, first));
+  }
+  EXPECT_EQ(keys.size(), 3 * hexagons);
+}
+
+// An atom's entry may change when others are removed; the switch at it stays the same.
+TEST(SwitchKey, FollowsIdentitiesAndNotEntries) {
+  const TrivalentNetwork network = trivalent_network(test::unit_sphere(4));
+  const auto edit = flip_bond(network, 0, 0);
+  ASSERT_TRUE(edit);
+  auto identity = numbered(network);
+  const std::uint64_t before = switch_key(*edit, identity);
+  for (std::uint32_t& i : identity) ++i;
+  EXPECT_NE(switch_key(*edit, identity), before);
+}
+
 TEST(RefusedSwitches, RefuseOnlyWhatIsAllowedNoMoreThanBefore) {
   RefusedSwitches refused;
   refused.add(7, 0.5, 10);

@@ -10,9 +10,11 @@
 namespace nanocarbon {
 
 //! \brief Writes extended XYZ, as ASE and OVITO read it: species and positions, with Lattice and pbc.
-//! \details A molecule without cell has no Lattice and pbc="F F F". Bonds, where there are any, are the columns
-//! `bonded`: the atoms bonded to each, numbered from 1 in the order of the file, 0 where there are no more
-//! (through a periodic boundary, too). Rings are not part of the format. Numbers are the shortest text that reads back exactly.
+//! \details A molecule without cell has no Lattice and pbc="F F F". Bonds, where there are any, are the
+//! columns `bonded`: the atoms bonded to each, numbered from 1 in the order of the file, 0 where there are no
+//! more (through a periodic boundary, too). Rings are not part of the format. Numbers are the shortest text
+//! that reads back exactly.
+//!
 //! \param generator kept as the comment line's `generator` key when not empty (command and version)
 void write_xyz(std::ostream& out, const Molecule& molecule, const std::string& generator = {});
 

@@ -66,7 +66,7 @@ class Annealer {
       : state_(state),
         surface_(surface),
         options_(options),
-        team_(std::max(1u, options.threads)),
+        team_(std::clamp(options.threads, 1u, static_cast<unsigned>(kBatch))),
         workspaces_(team_.size()),
         defects_(state.network) {
     target_ = options.target_atoms ? options.target_atoms : state.network.atoms.size();

@@ -13,6 +13,13 @@ namespace nanocarbon {
 //! bonds that are being made. They do not evaluate what has an atom outside it.
 class FixedBondLoops {
  public:
+  FixedBondLoops() = default;
+  // A copy's modifiers would point into the original's.
+  FixedBondLoops(const FixedBondLoops&) = delete;
+  FixedBondLoops& operator=(const FixedBondLoops&) = delete;
+  FixedBondLoops(FixedBondLoops&&) = default;
+  FixedBondLoops& operator=(FixedBondLoops&&) = default;
+
   //! Lays the bonds out for the loops. \param graph is not kept
   void set_graph(const FixedBondGraph& graph);
 

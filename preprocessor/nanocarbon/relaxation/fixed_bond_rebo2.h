@@ -37,8 +37,9 @@ class FixedBondRebo2 {
     double cosine, g, slope, weight;
   };
   std::vector<HalfEdge> edges_;
-  std::vector<HalfEdge>
-      edge_gradient_;          // dE by the unit vector; length: dE by the length, per bond at half-edge 0
+  // dE by the unit vector, and in place of the length dE by the length: of a bond at the half-edge that it is
+  // evaluated from.
+  std::vector<HalfEdge> edge_gradient_;
   std::vector<Angle> angles_;  // opposite to slot s of each atom
 
   FixedBondGraph graph_;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <functional>
 #include <span>
 #include <vector>
@@ -17,7 +16,7 @@ struct LbfgsOptions {
   int max_iterations = 200;
   double force_tolerance = 1e-3;  //!< eV/Angstrom, on the largest force on an atom
   double max_step = 0.1;          //!< Angstrom, the farthest any atom moves in one iteration
-  int memory = 6;  //!< pairs; more of them cost more than they save
+  int memory = 6;                 //!< pairs; more of them cost more than they save
   //! Asked after each iteration; true ends the minimisation early. May be empty.
   std::function<bool(int iteration, double energy, std::span<const Vec3> positions)> stop = {};
 };

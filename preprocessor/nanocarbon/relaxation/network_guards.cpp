@@ -12,8 +12,7 @@ constexpr double kStiffness = 20;  // eV/Angstrom^2
 
 }  // namespace
 
-double add_guards(const FixedBondGraph& graph, std::span<const Vec3> positions,
-                  std::span<Vec3> gradient) {
+double add_guards(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient) {
   constexpr double long2 = longest_unguarded_bond * longest_unguarded_bond;
   constexpr double close2 = closest_unguarded_second_neighbours * closest_unguarded_second_neighbours;
   double energy = 0;

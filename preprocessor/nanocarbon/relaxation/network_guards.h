@@ -15,7 +15,6 @@ inline constexpr double longest_unguarded_bond = 1.65, closest_unguarded_second_
 //! where two neighbours of an atom lie on top of each other, since it does not know that they would bind.
 //! Nothing is added for a molecule that REBO2 sees as it is meant. \return eV; the gradient (eV/Angstrom) is
 //! added to
-double add_guards(const FixedBondGraph& graph, std::span<const Vec3> positions,
-                  std::span<Vec3> gradient);
+double add_guards(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient);
 
 }  // namespace nanocarbon

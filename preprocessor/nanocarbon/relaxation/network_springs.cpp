@@ -6,8 +6,8 @@
 
 namespace nanocarbon {
 
-double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions,
-                   std::span<Vec3> gradient, const SpringOptions& options) {
+double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient,
+                   const SpringOptions& options) {
   double energy = 0;
   const std::size_t atoms = graph.inner_count();
   for (AtomIndex a = 0; a < atoms; ++a) {

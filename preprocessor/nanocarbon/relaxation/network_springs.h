@@ -19,7 +19,7 @@ struct SpringOptions {
 //! \brief Harmonic springs along the bonds and between the two ends of each angle.
 //! \details Softer than REBO2 and defined for any geometry: brings a raw dual into REBO2's range without
 //! changing a bond. \return eV; the gradient (eV/Angstrom) is added to
-double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions,
-                   std::span<Vec3> gradient, const SpringOptions& options = {});
+double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient,
+                   const SpringOptions& options = {});
 
 }  // namespace nanocarbon

@@ -40,9 +40,8 @@ bool RefusedSwitches::contains(std::uint64_t key, double allowance, std::uint64_
 }
 
 void RefusedSwitches::add(std::uint64_t key, double allowance, std::uint64_t now) {
-  Refusal& refusal = refusals_[key];
-  // One that is out of date or lower than this has been passed over.
-  refusal = {allowance, now, block_};
+  // What was known before was lower or out of date, or the switch would not have been tried again.
+  refusals_[key] = {allowance, now, block_};
 }
 
 void RefusedSwitches::next_block() {

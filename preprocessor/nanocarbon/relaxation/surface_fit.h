@@ -21,6 +21,7 @@ struct Similarity {
 //! above the nearest tangent planes (Chen and Medioni 1992).
 //! \details Motions that change no height (turns of a sphere) are left out. \param with_scale let the atoms
 //! grow or shrink, too
+//! \return a motion that leaves them no farther from the surface than they were, in the mean square
 Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& surface, bool with_scale);
 
 }  // namespace nanocarbon

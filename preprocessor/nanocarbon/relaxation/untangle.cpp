@@ -28,8 +28,8 @@ std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const Fixe
   return tangled;
 }
 
-std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph,
-                     const TetherSurface& surface, std::span<const AtomIndex> around, unsigned radius) {
+std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph, const TetherSurface& surface,
+                     std::span<const AtomIndex> around, unsigned radius) {
   std::vector<AtomIndex> region(around.begin(), around.end());
   std::vector<bool> inside(positions.size(), false);
   for (const AtomIndex a : region) inside[a] = true;

@@ -16,7 +16,7 @@ std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const Fixe
 //! \details Every atom within `radius` bonds of them moves to the centroid of its neighbours again and again,
 //! in its tangent plane, while those beyond are held: in a flat disc no crossing survives that (Tutte 1963).
 //! The bonds come out too short and uneven; springs must follow. \return atoms moved
-std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph,
-                     const TetherSurface& surface, std::span<const AtomIndex> around, unsigned radius);
+std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph, const TetherSurface& surface,
+                     std::span<const AtomIndex> around, unsigned radius);
 
 }  // namespace nanocarbon
