@@ -6,7 +6,7 @@ set -euo pipefail
 build=$1 source=$2 work=$3
 rm -rf "$work"
 cmake --install "$build" --prefix "$work/installed" >"$work.install.log"
-cmake -S "$work/installed/share/nanocarbon/examples/library" -B "$work/build" -DCMAKE_BUILD_TYPE=Release \
+cmake -G Ninja -S "$work/installed/share/nanocarbon/examples/library" -B "$work/build" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$work/installed"
 cmake --build "$work/build"
 "$work/build/from_mesh_to_molecule" "$source/examples/meshes/sphere.off" 300 "$work/sphere.data" | tee "$work/said"
