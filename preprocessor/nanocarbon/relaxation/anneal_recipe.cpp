@@ -29,8 +29,8 @@ constexpr double kCoarseDistance = 3;
 // Spring-back from the surface that is left as it is, Angstrom, and the price of more of it, eV for each atom
 // and Angstrom: what decides between two molecules.
 constexpr double kFineDistance = 0.8, kDistancePrice = 0.01;
-// Likewise of two starts where the size is prescribed.
-constexpr double kSizePrice = 0.05;
+// Likewise of two starts, for each eV/Angstrom^2 of tether beyond the default.
+constexpr double kStartPrice = 1.0 / 3;
 constexpr int kCompensations = 2;
 
 // What REBO2 must see, with a margin for what happens when the tether goes: whole bonds end at 1.7 Angstrom,
@@ -209,10 +209,11 @@ class Recipe {
     return 0;
   }
 
-  // Coarse sheets are the stiffer ones: they swell where they are bent, and what is refined from them is too
-  // wide. That counts where the size is meant.
+  // Coarse sheets are the stiffer ones: they swell where they are bent and round off what is small, and so
+  // does what is refined from them. That counts where a stiff tether is asked for, or a size.
   double start_merit(const Level& level) const {
-    return level.unannealed + (options_.keep_size ? kSizePrice * level.mean_distance : 0);
+    return level.unannealed +
+           kStartPrice * std::max(0.0, options_.tether - default_tether) * level.mean_distance;
   }
 
   // The best of several annealed starts at a coarser level, or nothing where the shape is not held there.
