@@ -117,7 +117,8 @@ std::string number_that_would_do(const BuildResult& result, const BuildOptions& 
   const auto atoms = atoms_for_features(surface.mesh, area(surface.mesh) / area_per_atom(options.bond_length),
                                         {}, options.threads);
   if (!atoms)
-    return "no number of atoms up to 300,000 or four times those was found that would do: go on with --force";
+    return "no number of atoms up to 300,000, or four times as many as asked for, would do: go on with "
+           "--force";
   return fmt::format("the next size that would do is --atoms {}; ask for that, or go on with --force",
                      *atoms);
 }

@@ -66,6 +66,16 @@ std::optional<Level> try_start(const TriangleMesh& surface, double scale, std::s
   return level;
 }
 
+bool is_safe(double longest_bond, double closest_unbonded) {
+  return longest_bond < kSafeBond && closest_unbonded > kSafeDistance;
+}
+
+// As it is now; Level::sound is as of its last relaxation.
+bool holds(const Level& level) {
+  const GeometryCheck check = check_geometry(level.state.positions, fixed_bond_graph(level.state.network));
+  return is_safe(check.longest_bond, check.closest_unbonded);
+}
+
 void relax_level(Level& level, const TetherSurface& tether_surface, bool raw = true) {
   const auto relaxed =
       relax_network(fixed_bond_graph(level.state.network), level.state.positions, tether_surface,
@@ -75,12 +85,7 @@ void relax_level(Level& level, const TetherSurface& tether_surface, bool raw = t
                      .springs_first = raw});
   level.unannealed = relaxed.energy / static_cast<double>(level.state.positions.size());
   level.mean_distance = relaxed.mean_distance;
-  level.sound = relaxed.longest_bond < kSafeBond && relaxed.closest_unbonded > kSafeDistance;
-}
-
-bool holds(const Level& level) {
-  const GeometryCheck check = check_geometry(level.state.positions, fixed_bond_graph(level.state.network));
-  return check.longest_bond < kSafeBond && check.closest_unbonded > kSafeDistance;
+  level.sound = is_safe(relaxed.longest_bond, relaxed.closest_unbonded);
 }
 
 // Switches bonds until REBO2 would see the bonds that are meant, a little at a time and without heat.

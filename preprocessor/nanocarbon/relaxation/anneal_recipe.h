@@ -10,7 +10,7 @@
 
 namespace nanocarbon {
 
-//! How much time may be spent on a molecule. CPU on one core, for each atom up to 10,000.
+//! How much time may be spent on a molecule. CPU on one core, for each atom of 200 to 10,000.
 enum class AnnealQuality {
   draft,  //!< dual relaxation alone, below 1 ms
   good,   //!< defects annealed, below 20 ms
@@ -59,7 +59,8 @@ struct AnnealResult {
 //! \brief The default recipe: from a surface to a molecule at a minimum of REBO2.
 //!
 //! Triangulates the surface and relaxes the dual. Anneals also at a quarter (or a sixteenth) of the atoms,
-//! refines, and goes on from there where that has less energy. Anneals at full size, and minimises the full
+//! refines, and goes on from there where that has less energy; under a tether stiffer than the default,
+//! lying near the surface counts, too. Anneals at full size, and minimises the full
 //! potential without a tether; where the molecule would then spring back far from the surface, anneals it
 //! held against that, and where REBO2 would see other bonds than the molecule's, mends the place first. In
 //! the end the molecule is moved to where it fits the surface best.
