@@ -54,6 +54,31 @@ TriangleMesh tetrahedron() {
           {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
 }
 
+// A ball of radius 20 with a finger of radius 3.5 that reaches 30 beyond it.
+TriangleMesh ball_with_finger() {
+  constexpr double ball = 20, finger = 3.5, length = 30;
+  TriangleMesh mesh = make_sphere(1, 48);
+  const double neck = std::asin(finger / ball), foot = ball * std::cos(neck);
+  // The ball's surface is drawn from the upper tenth of the sphere's half turn on; that tenth is the finger.
+  constexpr double share = 0.1 * std::numbers::pi;
+  const double cap = 0.5 * std::numbers::pi * finger;
+  for (Vec3& p : mesh.points) {
+    const double turn = std::acos(std::clamp(p.z(), -1.0, 1.0)), round = std::atan2(p.y(), p.x());
+    double out = 0, up = 0;
+    if (turn < share) {
+      const double along = turn / share * (cap + length);
+      out = along < cap ? finger * std::sin(along / finger) : finger;
+      up = along < cap ? foot + length + finger * std::cos(along / finger) : foot + length - (along - cap);
+    } else {
+      const double angle = neck + (turn - share) / (std::numbers::pi - share) * (std::numbers::pi - neck);
+      out = ball * std::sin(angle);
+      up = ball * std::cos(angle);
+    }
+    p = Vec3(out * std::cos(round), out * std::sin(round), up);
+  }
+  return mesh;
+}
+
 // The promises of the default recipe, seen from outside.
 void expect_molecule_that_holds(const TriangleMesh& surface, std::size_t atoms, bool force = false) {
   BuildOptions options;
@@ -97,6 +122,25 @@ TEST(HardShapes, ALensWithASharpRim) { expect_molecule_that_holds(flattened(make
 
 // Sheets 2.5 Angstrom apart: refused, but with --force the molecule makes the room it needs.
 TEST(HardShapes, APlateThinnerThanTwoSheets) { expect_molecule_that_holds(pill(14, 2.5), 608, true); }
+
+// At a quarter of the atoms the finger is thinner than any tube: what is refined from there must not have
+// lost it. Its end cap may round off.
+TEST(HardShapes, AThinFingerKeepsItsLength) {
+  const TriangleMesh surface = ball_with_finger();
+  BuildOptions options;
+  options.size = AtomCount{2180};
+  options.threads = 2;
+  const BuildResult result = build_molecule(surface, options);
+  EXPECT_TRUE(result.annealed->intact);
+  const Vec3 tip = surface.points[static_cast<std::size_t>(
+      std::max_element(surface.points.begin(), surface.points.end(),
+                       [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) -
+      surface.points.begin())];
+  double nearest = 1e9;
+  for (const Vec3& p : result.molecule.positions)
+    nearest = std::min(nearest, (p - result.surface.scale * tip).norm());
+  EXPECT_LT(nearest, 10);  // of 33.5
+}
 
 TEST(HardShapes, PiecesBesideAndWithinEachOther) {
   expect_molecule_that_holds(joined(make_sphere(1, 8), make_torus(2, 0.8, 0.2), Vec3(6, 0, 0)), 1200);

@@ -188,10 +188,10 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
                           .progress = options.progress};
   annealing.keep_size = keeps_size(options.size);
   annealing.tether = tether_of(options);
-  const std::optional<TriangleMesh> roomy =
-      with_room_for_sheets(result.surface.mesh, resting_sheet_distance, options.threads);
-  result.annealed =
-      anneal(roomy ? *roomy : result.surface.mesh, result.surface.atoms, triangulate, annealing);
+  annealing.make_room = [&](const TriangleMesh& thin) {
+    return with_room_for_sheets(thin, resting_sheet_distance, options.threads);
+  };
+  result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, annealing);
   result.molecule = std::exchange(result.annealed->molecule, {});
   result.surface.scale *= result.annealed->growth;
   for (Vec3& point : result.surface.mesh.points) point *= result.annealed->growth;

@@ -7,8 +7,7 @@
 #include <optional>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/relaxation/bond_switching.h"
-#include "nanocarbon/relaxation/dual_relaxation.h"
+#include "nanocarbon/relaxation/annealing_level.h"
 #include "nanocarbon/relaxation/geometry_check.h"
 #include "nanocarbon/relaxation/minimise_rebo2.h"
 #include "nanocarbon/relaxation/refine_network.h"
@@ -18,95 +17,42 @@ namespace nanocarbon {
 
 namespace {
 
-constexpr std::size_t kCoarsest = 200;  // atoms: fewer cannot show a shape
+constexpr std::size_t kCoarsest = 225;  // atoms: fewer cannot show a shape, and cost more for each
 
-constexpr std::size_t kSmall = 1800;  // atoms up to which a hot start at full size is affordable
+// Atoms up to which a hot start at full size is affordable where there is no coarser one. Below the other
+// number a short one must do, at coarse levels, too.
+constexpr std::size_t kSmall = 1800, kTiny = 400;
+
+// A coarse sheet is the stiffer one for its size: it is held to the surface by more than the tether that was
+// asked for, by this for each refinement. What is refined from it has its order already and is held by less,
+// so that it can buckle where that is cheaper.
+constexpr double kCoarseTether = 3, kRefinedTether = 0.2;
 
 // Atoms farther from the surface than this in the mean, multiplied up to the full size, have lost the shape,
-// Angstrom.
-constexpr double kCoarseDistance = 3;
+// and so have those beyond which the surface reaches farther than this, at the start and once annealed,
+// Angstrom at full size.
+constexpr double kCoarseDistance = 3, kLostAtStart = 7, kLostInTheEnd = 9;
+
+// Of molecules from several starts the one with the least energy is best, but for being farther from the
+// surface than this in the mean, Angstrom, which has a price, eV for each atom and Angstrom; a higher one for
+// each eV/Angstrom^2 of tether beyond the default.
+constexpr double kNear = 1, kDistancePrice = 0.02, kTetherPrice = 1.0 / 3;
+// Annealing at full size leaves more than this of a start's energy above graphene.
+constexpr double kLeastLeft = 0.75;
 
 // Spring-back from the surface that is left as it is, Angstrom, and the price of more of it, eV for each atom
-// and Angstrom: what decides between two molecules.
-constexpr double kFineDistance = 0.8, kDistancePrice = 0.01;
-// Likewise of two starts, for each eV/Angstrom^2 of tether beyond the default.
-constexpr double kStartPrice = 1.0 / 3;
+// and Angstrom: what further annealing against it may cost.
+constexpr double kFineDistance = 0.8, kSpringBackPrice = 0.01;
 constexpr int kCompensations = 2;
 
-// What REBO2 must see, with a margin for what happens when the tether goes: whole bonds end at 1.7 Angstrom,
-// and other atoms are seen from 2.0.
-constexpr double kSafeBond = 1.66, kSafeDistance = 2.05;
 constexpr int kMendings = 2;
 
-struct Level {
-  SwitchingState state;
-  double unannealed = 0;  // eV for each atom
-  double energy = 0;      // eV for each atom, with tether
-  std::size_t accepted = 0;
-  double mean_distance = 0;  // of the atoms to the surface, Angstrom
-  bool sound = false;
+// A molecule that lacks no more than to come closer to the surface, and what it is once it is let go.
+struct Candidate {
+  AnnealingLevel level;
+  SpringBack rest;
+  int refinements = 0;
 };
-
-// Nothing where parts are so thin for the number of atoms that a triangulation pinches them.
-std::optional<Level> try_start(const TriangleMesh& surface, double scale, std::size_t atoms,
-                               const Triangulator& triangulate, const AnnealOptions& options,
-                               std::uint64_t seed) {
-  Level level;
-  TriangleMesh mesh = triangulate(surface, atoms, seed);
-  for (Vec3& p : mesh.points) p *= scale;
-  try {
-    level.state.network = trivalent_network(mesh);
-  } catch (const UserError&) {
-    return {};
-  }
-  for (const Triangle& t : mesh.triangles)
-    level.state.positions.push_back((mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3);
-  level.state.tether = options.tether;
-  level.state.free_mean = !options.keep_size;
-  return level;
-}
-
-bool is_safe(double longest_bond, double closest_unbonded) {
-  return longest_bond < kSafeBond && closest_unbonded > kSafeDistance;
-}
-
-// As it is now; Level::sound is as of its last relaxation.
-bool holds(const Level& level) {
-  const GeometryCheck check = check_geometry(level.state.positions, fixed_bond_graph(level.state.network));
-  return is_safe(check.longest_bond, check.closest_unbonded);
-}
-
-void relax_level(Level& level, const TetherSurface& tether_surface, bool raw = true) {
-  const auto relaxed =
-      relax_network(fixed_bond_graph(level.state.network), level.state.positions, tether_surface,
-                    {.tether = level.state.tether,
-                     .untangling_attempts = raw ? 1u : 0u,
-                     .free_mean = level.state.free_mean,
-                     .springs_first = raw});
-  level.unannealed = relaxed.energy / static_cast<double>(level.state.positions.size());
-  level.mean_distance = relaxed.mean_distance;
-  level.sound = is_safe(relaxed.longest_bond, relaxed.closest_unbonded);
-}
-
-// Switches bonds until REBO2 would see the bonds that are meant, a little at a time and without heat.
-void mend_level(Level& level, const TetherSurface& tether_surface, BondSwitchingOptions options) {
-  options.hot = options.cold = 0.2;
-  options.blocks = 1;
-  options.trials_per_defect = 5;
-  options.tether = level.state.tether;
-  for (int round = 0; round < 4 && !level.sound; ++round) {
-    options.seed += 100;
-    level.accepted += anneal_bonds(level.state, tether_surface, options).accepted;
-    relax_level(level, tether_surface, false);
-  }
-}
-
-void anneal_level(Level& level, const TetherSurface& tether_surface, BondSwitchingOptions options) {
-  options.tether = level.state.tether;
-  const BondSwitchingResult result = anneal_bonds(level.state, tether_surface, options);
-  level.energy = result.energy;
-  level.accepted += result.accepted;
-}
 
 int refinements_for(std::size_t atoms, AnnealQuality quality) {
   if (quality == AnnealQuality::draft) return 0;
@@ -119,30 +65,30 @@ class Recipe {
  public:
   Recipe(const TriangleMesh& surface, std::size_t atoms, const Triangulator& triangulate,
          const AnnealOptions& options)
-      : surface_(surface), atoms_(atoms), triangulate_(triangulate), options_(options) {}
+      : surface_(with_room(surface, options)), atoms_(atoms), triangulate_(triangulate), options_(options) {}
 
   AnnealResult run() {
     AnnealResult result;
-    Level level = full_size_level();
+    AnnealingLevel level = full_size_level();
     relax_level(level, TetherSurface(surface_, 1));
     result.unannealed_energy = level.unannealed;
     if (options_.quality != AnnealQuality::draft) {
-      const Level direct = level;
-      result.refinements = begin_coarse(level);
-      if (result.refinements > 0) anneal_level(level, TetherSurface(surface_, 1), fine_switching(0));
-      // A bond that refining has overstretched is mostly mended by annealing; where not, without refining.
-      if (result.refinements > 0 && !level.sound && !holds(level)) {
-        level = direct;
-        result.refinements = 0;
-      }
-      if (result.refinements == 0) anneal_level(level, TetherSurface(surface_, 1), single_level_switching());
-      come_closer(level);
+      Candidate best = best_candidate(std::move(level));
+      result.refinements = best.refinements;
+      come_closer(best);
+      level = std::move(best.level);
     }
     finish(level, result);
     return result;
   }
 
  private:
+  static TriangleMesh with_room(const TriangleMesh& surface, const AnnealOptions& options) {
+    if (options.make_room)
+      if (auto roomy = options.make_room(surface)) return *std::move(roomy);
+    return surface;
+  }
+
   double scale(int refinements) const { return std::ldexp(1.0, -refinements); }
   std::size_t atoms(int refinements) const { return atoms_ >> (2 * refinements); }
 
@@ -155,11 +101,12 @@ class Recipe {
     return switching;
   }
 
-  Level full_size_level() const {
+  AnnealingLevel full_size_level() const {
     constexpr std::uint64_t seeds = 4;
     for (std::uint64_t k = 0; k < seeds; ++k)
-      if (auto level = try_start(surface_, 1, atoms_, triangulate_, options_, options_.seed + k))
-        return *level;
+      if (auto level = level_on(triangulate_(surface_, atoms_, options_.seed + k), options_.tether,
+                                !options_.keep_size))
+        return *std::move(level);
     throw UserError(Failure::size,
                     fmt::format("{} atoms are too few for the thinnest parts of the surface: its "
                                 "triangulation pinches them; ask for more atoms",
@@ -170,11 +117,20 @@ class Recipe {
     if (options_.progress) options_.progress(stage, share);
   }
 
+  // From where defects move freely.
+  static void make_hot(BondSwitchingOptions& switching) {
+    switching.hot = switching.target_atoms < kTiny ? 0.5 : 0.6;
+    switching.blocks = switching.target_atoms < kTiny ? 24 : 36;
+  }
+
   // Cooling from where defects just begin to move freely: a crystal's order over long ranges survives it.
-  BondSwitchingOptions single_level_switching() const {
+  // Small molecules have none to lose. \param alone no refined start has come about
+  BondSwitchingOptions single_level_switching(bool alone) const {
     BondSwitchingOptions single = switching(atoms_);
-    single.hot = atoms_ < kSmall ? 0.5 : 0.35;
-    single.blocks = options_.quality == AnnealQuality::best ? 48 : atoms_ < kSmall ? 24 : 12;
+    single.hot = 0.35;
+    single.blocks = 12;
+    if (alone && atoms_ < kSmall) make_hot(single);
+    if (options_.quality == AnnealQuality::best) single.blocks = 48;
     single.progress = [this, blocks = single.blocks](int block, double, std::size_t, std::size_t) {
       tell("annealing", (block + 1.0) / blocks);
     };
@@ -192,74 +148,109 @@ class Recipe {
     return fine;
   }
 
-  // Replaces a start at full size by one refined from annealed coarser ones, where that has less energy:
-  // smooth shapes gain much by it, shapes with thin parts do not show them at a quarter of the atoms. Returns
-  // the refinements.
-  int begin_coarse(Level& direct) {
+  // Anneals starts refined from coarser levels, and one at full size, and takes the best. Smooth shapes gain
+  // much by refining: what lies far apart comes to order. Shapes with thin parts do not show them at a
+  // quarter of the atoms.
+  Candidate best_candidate(AnnealingLevel direct) {
+    std::optional<Candidate> best;
     for (int refinements = refinements_for(atoms_, options_.quality); refinements > 0; --refinements) {
-      std::optional<Level> level = coarse_level(refinements);
-      for (int left = refinements - 1; left >= 0 && level; --left) {
-        const TetherSurface tether_surface(surface_, scale(left));
-        level->state = refined_in_four(level->state, tether_surface);
-        level->state.tether = options_.tether;
-        relax_level(*level, tether_surface);
-        if (left == 0) break;  // run() anneals it, and looks
-        anneal_level(*level, tether_surface, fine_switching(left));
-        if (!level->sound && !holds(*level)) level.reset();
+      const int attempts = options_.quality == AnnealQuality::best ? 4 : 2;
+      bool roomy = false;
+      for (int attempt = 0; attempt < attempts; ++attempt) {
+        auto candidate = refined_candidate(refinements, attempt, attempts, roomy, direct.unannealed);
+        if (candidate && (!best || merit(candidate->rest) < merit(best->rest))) best = std::move(candidate);
       }
-      if (!level || start_merit(*level) > start_merit(direct)) continue;
-      direct = std::move(*level);
-      return refinements;
+      if (best && best->rest.mean_distance < kNear) break;  // less refining could only lie still nearer
     }
-    return 0;
+    if (best && !may_become_better(direct, *best)) return *std::move(best);
+    anneal_level(direct, TetherSurface(surface_, 1), single_level_switching(!best));
+    Candidate candidate = released(std::move(direct), 0);
+    if (best && merit(best->rest) <= merit(candidate.rest)) return *std::move(best);
+    return candidate;
   }
 
-  // Coarse sheets are the stiffer ones: they swell where they are bent and round off what is small, and so
-  // does what is refined from them. That counts where a stiff tether is asked for, or a size.
-  double start_merit(const Level& level) const {
-    return level.unannealed +
-           kStartPrice * std::max(0.0, options_.tether - default_tether) * level.mean_distance;
+  bool may_become_better(const AnnealingLevel& direct, const Candidate& best) const {
+    SpringBack least = spring_back(direct.state, TetherSurface(surface_, 1), !options_.keep_size);
+    least.energy = graphene_energy + kLeastLeft * (least.energy - graphene_energy);
+    least.mean_distance = 0;
+    return merit(least) < merit(best.rest);
   }
 
-  // The best of several annealed starts at a coarser level, or nothing where the shape is not held there.
-  std::optional<Level> coarse_level(int refinements) {
-    const TetherSurface tether_surface(surface_, scale(refinements));
-    const int attempts = options_.quality == AnnealQuality::best ? 4 : 2;
-    std::optional<Level> best;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-      std::optional<Level> start = try_start(surface_, scale(refinements), atoms(refinements), triangulate_,
-                                             options_, options_.seed + static_cast<std::uint64_t>(attempt));
-      if (!start) return {};
-      Level& level = *start;
-      relax_level(level, tether_surface);
-      if (!level.sound || !shows_shape(level, refinements)) return {};
-      BondSwitchingOptions coarse = switching(atoms(refinements));
-      coarse.hot = 0.5;
-      coarse.blocks = 24;
-      coarse.seed += 1000 * static_cast<std::uint64_t>(attempt);
-      coarse.progress = [&](int block, double, std::size_t, std::size_t) {
-        tell("annealing coarsely", (attempt + (block + 1.0) / coarse.blocks) / attempts);
-      };
-      anneal_level(level, tether_surface, coarse);
-      if (!best || level.energy < best->energy) best = std::move(level);
+  double merit(const SpringBack& rest) const {
+    const double price = kDistancePrice + kTetherPrice * std::max(0.0, options_.tether - default_tether);
+    return rest.energy + price * std::max(rest.mean_distance, kNear);
+  }
+
+  Candidate released(AnnealingLevel level, int refinements) const {
+    SpringBack rest = spring_back(level.state, TetherSurface(surface_, 1), !options_.keep_size);
+    return {std::move(level), std::move(rest), refinements};
+  }
+
+  // Annealed at a coarser level, refined and annealed shortly on the way. Nothing where the shape is not
+  // held, or where there is nothing to gain over a start at full size of the given energy.
+  std::optional<Candidate> refined_candidate(int refinements, int attempt, int attempts, bool& roomy,
+                                             double direct) const {
+    std::optional<AnnealingLevel> level = coarse_level(refinements, attempt, attempts, roomy);
+    if (!level && !roomy && options_.make_room) {
+      roomy = true;  // in later attempts, too
+      level = coarse_level(refinements, attempt, attempts, roomy);
     }
-    return best;
+    for (int left = refinements - 1; left >= 0 && level; --left) {
+      const TetherSurface tether_surface(surface_, scale(left));
+      level->state = refined_in_four(level->state, tether_surface);
+      level->state.tether = kRefinedTether * options_.tether;
+      relax_level(*level, tether_surface);
+      if (left == 0 && level->unannealed > direct) return {};
+      anneal_level(*level, tether_surface, fine_switching(left));
+      // A bond that refining has overstretched is mostly mended by annealing; where not, without refining.
+      if (!level->sound && !holds(*level)) return {};
+    }
+    if (!level) return {};
+    return released(*std::move(level), refinements);
   }
 
-  // A coarse level is of use only if its atoms still lie on the surface, by the measure of the level.
-  static bool shows_shape(const Level& level, int refinements) {
-    return std::ldexp(level.mean_distance, refinements) < kCoarseDistance;
+  // Nothing where the shape is not held. \param roomy with thin parts made as thick as this level needs
+  std::optional<AnnealingLevel> coarse_level(int refinements, int attempt, int attempts, bool roomy) const {
+    TriangleMesh surface = surface_;
+    for (Vec3& p : surface.points) p *= scale(refinements);
+    if (roomy) surface = with_room(surface, options_);
+    const TetherSurface tether_surface(surface, 1);
+    std::optional<AnnealingLevel> level = level_on(
+        triangulate_(surface, atoms(refinements), options_.seed + static_cast<std::uint64_t>(attempt)),
+        options_.tether * std::pow(kCoarseTether, refinements), !options_.keep_size);
+    if (!level) return {};
+    relax_level(*level, tether_surface);
+    if (!level->sound || !shows_shape(*level, surface, refinements, kLostAtStart)) return {};
+    BondSwitchingOptions coarse = switching(atoms(refinements));
+    make_hot(coarse);
+    coarse.seed += 1000 * static_cast<std::uint64_t>(attempt);
+    coarse.progress = [&](int block, double, std::size_t, std::size_t) {
+      tell("annealing coarsely", (attempt + (block + 1.0) / coarse.blocks) / attempts);
+    };
+    anneal_level(*level, tether_surface, coarse);
+    if (lost_reach(*level, surface) > kLostInTheEnd * scale(refinements)) return {};
+    return level;
+  }
+
+  // A coarse level is of use only if its atoms still lie on the surface and leave none of it out, by the
+  // measure of the level.
+  bool shows_shape(const AnnealingLevel& level, const TriangleMesh& surface, int refinements,
+                   double most_lost) const {
+    return level.mean_distance < kCoarseDistance * scale(refinements) &&
+           lost_reach(level, surface) < most_lost * scale(refinements);
   }
 
   // Where the molecule springs back too far once it is let go, switches more bonds while it is held on the
   // other side; keeps what that gains.
-  void come_closer(Level& level) {
-    SpringBack now = spring_back(level.state, TetherSurface(surface_, 1), !options_.keep_size);
-    for (int round = 0; round < kCompensations && now.mean_distance > kFineDistance; ++round) {
+  void come_closer(Candidate& best) {
+    const auto merit_of = [](const SpringBack& b) {
+      return b.energy + kSpringBackPrice * std::max(b.mean_distance, kFineDistance);
+    };
+    for (int round = 0; round < kCompensations && best.rest.mean_distance > kFineDistance; ++round) {
       const double former_growth = growth_;
-      Level closer = level;
-      compensate(closer.state, now);
-      const double factor = std::sqrt(1 / now.fit.scale);
+      AnnealingLevel closer = best.level;
+      compensate(closer.state, best.rest);
+      const double factor = std::sqrt(1 / best.rest.fit.scale);
       grow(factor);
       for (Vec3& p : closer.state.positions) p *= factor;
       BondSwitchingOptions again = switching(atoms_);
@@ -268,18 +259,13 @@ class Recipe {
       again.trials_per_defect = 60;
       again.seed += 10000 + static_cast<std::uint64_t>(round);
       anneal_level(closer, TetherSurface(surface_, 1), again);
-      const SpringBack then = spring_back(closer.state, TetherSurface(surface_, 1), !options_.keep_size);
-      if (merit(then) >= merit(now)) {
+      Candidate then = released(std::move(closer), best.refinements);
+      if (merit_of(then.rest) >= merit_of(best.rest)) {
         grow(former_growth / growth_);
         break;
       }
-      level = std::move(closer);
-      now = then;
+      best = std::move(then);
     }
-  }
-
-  static double merit(const SpringBack& b) {
-    return b.energy + kDistancePrice * std::max(b.mean_distance, kFineDistance);
   }
 
   void grow(double factor) {
@@ -300,7 +286,7 @@ class Recipe {
       result.mean_distance += tether_surface.distance(p) / static_cast<double>(positions.size());
   }
 
-  void finish(Level& level, AnnealResult& result) {
+  void finish(AnnealingLevel& level, AnnealResult& result) {
     tell("minimising", 0);
     FixedBondModel model;
     for (int attempt = 0; attempt <= kMendings && !result.intact; ++attempt) {

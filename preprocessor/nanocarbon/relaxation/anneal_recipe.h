@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "nanocarbon/mesh/triangle_mesh.h"
@@ -21,6 +22,9 @@ enum class AnnealQuality {
 using Triangulator =
     std::function<TriangleMesh(const TriangleMesh& surface, std::size_t faces, std::uint64_t seed)>;
 
+//! The surface with its thin parts and gaps made wide enough for carbon, Angstrom; nothing where they are.
+using RoomMaker = std::function<std::optional<TriangleMesh>(const TriangleMesh& surface)>;
+
 //! Stiff enough that bond switches feel within their reach what bends the sheet away from the surface:
 //! (1.4 eV, graphene's bending rigidity, over the tether for each area)^(1/4) is 3 Angstrom. eV/Angstrom^2.
 inline constexpr double default_tether = 0.05;
@@ -37,6 +41,7 @@ struct AnnealOptions {
   //! Keep the surface's size. Otherwise, as the number of atoms is what is asked for, it becomes what fits
   //! best.
   bool keep_size = false;
+  RoomMaker make_room = {};  //!< empty: there is room
   std::function<void(std::string_view stage, double share)> progress = {};
 };
 
@@ -58,12 +63,12 @@ struct AnnealResult {
 
 //! \brief The default recipe: from a surface to a molecule at a minimum of REBO2.
 //!
-//! Triangulates the surface and relaxes the dual. Anneals also at a quarter (or a sixteenth) of the atoms,
-//! refines, and goes on from there where that has less energy; under a tether stiffer than the default,
-//! lying near the surface counts, too. Anneals at full size, and minimises the full
-//! potential without a tether; where the molecule would then spring back far from the surface, anneals it
-//! held against that, and where REBO2 would see other bonds than the molecule's, mends the place first. In
-//! the end the molecule is moved to where it fits the surface best.
+//! Triangulates the surface and relaxes the dual. Anneals there, and also at a quarter (or a sixteenth) of
+//! the atoms, refined step by step, where the shape still shows with so few. Takes the molecule with the
+//! least energy once it is let go, at a price for more than 1 Angstrom of mean distance to the surface; where
+//! it springs back far from the surface, anneals it held against that. Then minimises the full potential
+//! without a tether; where REBO2 would see other bonds than the molecule's, mends the place first. In the end
+//! the molecule is moved to where it fits the surface best.
 //!
 //! \param surface Angstrom; a sound oriented 2-manifold, with or without border
 //! \param atoms wanted; met within one percent where the surface allows

@@ -82,7 +82,6 @@ class Annealer {
 
   BondSwitchingResult run() {
     result_.energy_before = relax_state(state_, surface_, 200, 0.02) / static_cast<double>(atoms_);
-    terms_.chemical_potential = graphene_energy;
     double best_score = score(result_.energy_before * static_cast<double>(atoms_));
     SwitchingState best = state_;
     result_.energy = result_.energy_before;

@@ -184,6 +184,12 @@ double SwitchingPatch::energy() {
   return energy_and_gradient(free, unused);
 }
 
+std::size_t SwitchingPatch::energy_atoms() const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < graph_.inner_count(); ++k) count += atoms_[k].exists() ? 1 : 0;
+  return count;
+}
+
 void SwitchingPatch::relax_springs(int iterations) {
   std::vector<Vec3> free(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(free_));
   const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {

@@ -34,6 +34,7 @@ class SwitchingPatch {
 
   void apply(const NetworkEdit& edit);  //!< makes the edit on the copy, with first positions for its atoms
   double energy();                      //!< eV, of the bonds and free atoms of the patch
+  std::size_t energy_atoms() const;     //!< whose bonds that energy is of
   double energy_and_gradient(std::span<const Vec3> free, std::span<Vec3> gradient);
   void relax_springs(int iterations);
   LbfgsResult relax(const LbfgsOptions& options);

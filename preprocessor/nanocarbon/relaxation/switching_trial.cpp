@@ -68,8 +68,7 @@ std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<
 
 double draw_allowance(const NetworkEdit& edit, const TrialTerms& terms, RandomStream& random) {
   const double above = static_cast<double>(terms.atoms_above_target), gained = edit.atoms_added();
-  return -terms.temperature * std::log(std::max(random.uniform(), 1e-300)) +
-         terms.chemical_potential * gained -
+  return -terms.temperature * std::log(std::max(random.uniform(), 1e-300)) -
          terms.count_penalty * ((above + gained) * (above + gained) - above * above);
 }
 
@@ -94,6 +93,8 @@ Trial try_edit(const SwitchingState& state, NetworkEdit edit, double allowance, 
   SwitchingPatch& patch = workspace.far;
   patch.gather(state, edit, kRadius);
   const double before = patch.energy();
+  if (edit.atoms_added() != 0)
+    allowance += edit.atoms_added() * before / static_cast<double>(patch.energy_atoms());
   patch.apply(edit);
   if (screened)
     patch.take_positions(workspace.near);

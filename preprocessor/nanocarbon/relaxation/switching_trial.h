@@ -10,9 +10,8 @@ namespace nanocarbon {
 
 //! What a trial is judged by.
 struct TrialTerms {
-  double temperature = 0.3;       //!< k T, eV
-  double chemical_potential = 0;  //!< eV for each atom gained
-  double count_penalty = 0;       //!< eV for each (atoms - target)^2
+  double temperature = 0.3;  //!< k T, eV
+  double count_penalty = 0;  //!< eV for each (atoms - target)^2
   long atoms_above_target = 0;
   double climb_share = 0.35;  //!< of trials that add or remove a pair of atoms
 };
@@ -40,13 +39,15 @@ struct TrialWorkspace {
 std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<const RingIndex> defects,
                                      double climb_share, RandomStream& random);
 
-//! The most that the energy of the bonds may rise by a switch, eV: drawn by the Metropolis rule before
-//! anything is relaxed.
+//! The most that the energy of the bonds may rise by a switch, eV, but for the price of atoms gained: drawn
+//! by the Metropolis rule before anything is relaxed.
 double draw_allowance(const NetworkEdit& edit, const TrialTerms& terms, RandomStream& random);
 
 //! \brief Tries a switch on a copy of its surroundings: relaxes them, and accepts what stays within the
 //! allowance.
-//! \details Hopeless relaxations end early, and flips are screened on a small patch. The state is not
+//! \details An atom gained or lost counts with the mean energy of the atoms around: what bending costs there
+//! has to be paid for by every atom of the shape, and is no reason to take atoms away from where it is thin.
+//! Hopeless relaxations end early, and flips are screened on a small patch. The state is not
 //! changed: any number of trials may run at once.
 Trial try_edit(const SwitchingState& state, NetworkEdit edit, double allowance, double least_cosine,
                TrialWorkspace& workspace);
