@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "nanocarbon/core/error.h"
 #include "relaxation/support/rough_sphere.h"
 
 namespace nanocarbon {
@@ -50,6 +51,18 @@ TEST(Anneal, GoodLeavesASphereItsTwelvePentagons) {
   EXPECT_LT(result.energy, result.unannealed_energy);
   // C320 (Ih) has 154.1 meV an atom; bending goes with the inverse of the count.
   EXPECT_LT(result.energy - graphene, 0.1541 * 320 / static_cast<double>(result.molecule.size()) + 0.006);
+}
+
+// High genus: a sixteenth of the atoms is too few for the topology, the number asked for is not.
+TEST(Anneal, LevelsTooCoarseForTheTopologyAreLeftOut) {
+  const auto triangulate = [](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
+    if (faces < 500) throw UserError(Failure::size, "too few for the topology");
+    return rough_triangulation(surface, faces, seed);
+  };
+  const auto result = anneal(sphere_for(980), 980, triangulate, {.threads = 2});
+  EXPECT_EQ(result.refinements, 0);
+  EXPECT_TRUE(result.intact);
+  EXPECT_NEAR(static_cast<double>(result.molecule.size()), 980, 10);
 }
 
 }  // namespace

@@ -31,12 +31,12 @@ constexpr double kCoarseTether = 3, kRefinedTether = 0.2;
 // Atoms farther from the surface than this in the mean, multiplied up to the full size, have lost the shape,
 // and so have those beyond which the surface reaches farther than this, at the start and once annealed,
 // Angstrom at full size.
-constexpr double kCoarseDistance = 3, kLostAtStart = 7, kLostInTheEnd = 9;
+constexpr double kCoarseDistance = 3, kLostAtStart = 8, kLostInTheEnd = 10;
 
 // Of molecules from several starts the one with the least energy is best, but for being farther from the
 // surface than this in the mean, Angstrom, which has a price, eV for each atom and Angstrom; a higher one for
 // each eV/Angstrom^2 of tether beyond the default.
-constexpr double kNear = 1, kDistancePrice = 0.02, kTetherPrice = 1.0 / 3;
+constexpr double kNear = 1, kDistancePrice = 0.03, kTetherPrice = 1.0 / 3;
 // Annealing at full size leaves more than this of a start's energy above graphene.
 constexpr double kLeastLeft = 0.75;
 
@@ -91,6 +91,12 @@ class Recipe {
 
   double scale(int refinements) const { return std::ldexp(1.0, -refinements); }
   std::size_t atoms(int refinements) const { return atoms_ >> (2 * refinements); }
+
+  TriangleMesh scaled_surface(int refinements) const {
+    TriangleMesh surface = surface_;
+    for (Vec3& p : surface.points) p *= scale(refinements);
+    return surface;
+  }
 
   BondSwitchingOptions switching(std::size_t target) const {
     BondSwitchingOptions switching;
@@ -191,7 +197,7 @@ class Recipe {
   std::optional<Candidate> refined_candidate(int refinements, int attempt, int attempts, bool& roomy,
                                              double direct) const {
     std::optional<AnnealingLevel> level = coarse_level(refinements, attempt, attempts, roomy);
-    if (!level && !roomy && options_.make_room) {
+    if (!level && !roomy && options_.make_room && options_.make_room(scaled_surface(refinements))) {
       roomy = true;  // in later attempts, too
       level = coarse_level(refinements, attempt, attempts, roomy);
     }
@@ -202,25 +208,35 @@ class Recipe {
       relax_level(*level, tether_surface);
       if (left == 0 && level->unannealed > direct) return {};
       anneal_level(*level, tether_surface, fine_switching(left));
-      // A bond that refining has overstretched is mostly mended by annealing; where not, without refining.
+      // An overstretched bond is mostly mended by annealing; where not, without refining.
       if (!level->sound && !holds(*level)) return {};
     }
     if (!level) return {};
     return released(*std::move(level), refinements);
   }
 
+  // Nothing where there are too few atoms for the surface's topology.
+  std::optional<AnnealingLevel> coarse_start(const TriangleMesh& surface, int refinements,
+                                             int attempt) const {
+    const double tether = options_.tether * std::pow(kCoarseTether, refinements);
+    try {
+      return level_on(
+          triangulate_(surface, atoms(refinements), options_.seed + static_cast<std::uint64_t>(attempt)),
+          tether, !options_.keep_size);
+    } catch (const UserError&) {
+      return {};
+    }
+  }
+
   // Nothing where the shape is not held. \param roomy with thin parts made as thick as this level needs
   std::optional<AnnealingLevel> coarse_level(int refinements, int attempt, int attempts, bool roomy) const {
-    TriangleMesh surface = surface_;
-    for (Vec3& p : surface.points) p *= scale(refinements);
+    TriangleMesh surface = scaled_surface(refinements);
     if (roomy) surface = with_room(surface, options_);
     const TetherSurface tether_surface(surface, 1);
-    std::optional<AnnealingLevel> level = level_on(
-        triangulate_(surface, atoms(refinements), options_.seed + static_cast<std::uint64_t>(attempt)),
-        options_.tether * std::pow(kCoarseTether, refinements), !options_.keep_size);
+    std::optional<AnnealingLevel> level = coarse_start(surface, refinements, attempt);
     if (!level) return {};
     relax_level(*level, tether_surface);
-    if (!level->sound || !shows_shape(*level, surface, refinements, kLostAtStart)) return {};
+    if (!shows_shape(*level, surface, refinements, kLostAtStart)) return {};
     BondSwitchingOptions coarse = switching(atoms(refinements));
     make_hot(coarse);
     coarse.seed += 1000 * static_cast<std::uint64_t>(attempt);
@@ -228,7 +244,8 @@ class Recipe {
       tell("annealing coarsely", (attempt + (block + 1.0) / coarse.blocks) / attempts);
     };
     anneal_level(*level, tether_surface, coarse);
-    if (lost_reach(*level, surface) > kLostInTheEnd * scale(refinements)) return {};
+    const bool sound = level->sound || holds(*level);
+    if (!sound || lost_reach(*level, surface) > kLostInTheEnd * scale(refinements)) return {};
     return level;
   }
 
