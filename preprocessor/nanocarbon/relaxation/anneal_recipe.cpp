@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::size_t kCoarsest = 225;  // atoms: fewer cannot show a shape, and cost more for each
 
-// Atoms up to which a hot start at full size is affordable where there is no coarser one. Below the other
-// number a short one must do, at coarse levels, too.
+// Atoms up to which a hot start at full size is affordable where no coarser one is of use: a long one where
+// none was tried. Below the other number a short one must do everywhere.
 constexpr std::size_t kSmall = 1800, kTiny = 400;
 
 // A coarse sheet is the stiffer one for its size: it is held to the surface by more than the tether that was
-// asked for, by this for each refinement. What is refined from it has its order already and is held by less,
-// so that it can buckle where that is cheaper.
+// asked for, by this for each refinement. What is refined from it has its order already and is held by this
+// share of the default tether, so that it can buckle where that is cheaper, and by all that is asked beyond.
 constexpr double kCoarseTether = 3, kRefinedTether = 0.2;
 
 // Atoms farther from the surface than this in the mean, multiplied up to the full size, have lost the shape,
@@ -34,10 +34,10 @@ constexpr double kCoarseTether = 3, kRefinedTether = 0.2;
 constexpr double kCoarseDistance = 3, kLostAtStart = 8, kLostInTheEnd = 10;
 
 // Of molecules from several starts the one with the least energy is best, but for being farther from the
-// surface than this in the mean, Angstrom, which has a price, eV for each atom and Angstrom; a higher one for
-// each eV/Angstrom^2 of tether beyond the default.
+// surface than this in the mean, Angstrom, which has a price, eV for each atom and Angstrom. A tether stiffer
+// than the default makes that distance shorter in proportion and the price higher, for each eV/Angstrom^2.
 constexpr double kNear = 1, kDistancePrice = 0.03, kTetherPrice = 1.0 / 3;
-// Annealing at full size leaves more than this of a start's energy above graphene.
+// Annealing at full size hardly ever leaves less than this of a start's energy above graphene.
 constexpr double kLeastLeft = 0.75;
 
 // Spring-back from the surface that is left as it is, Angstrom, and the price of more of it, eV for each atom
@@ -124,9 +124,9 @@ class Recipe {
   }
 
   // From where defects move freely.
-  static void make_hot(BondSwitchingOptions& switching) {
-    switching.hot = switching.target_atoms < kTiny ? 0.5 : 0.6;
-    switching.blocks = switching.target_atoms < kTiny ? 24 : 36;
+  static void make_hot(BondSwitchingOptions& switching, bool at_length) {
+    switching.hot = at_length ? 0.6 : 0.5;
+    switching.blocks = at_length ? 36 : 24;
   }
 
   // Cooling from where defects just begin to move freely: a crystal's order over long ranges survives it.
@@ -135,7 +135,8 @@ class Recipe {
     BondSwitchingOptions single = switching(atoms_);
     single.hot = 0.35;
     single.blocks = 12;
-    if (alone && atoms_ < kSmall) make_hot(single);
+    if (alone && atoms_ < kSmall)
+      make_hot(single, atoms_ >= kTiny && refinements_for(atoms_, options_.quality) == 0);
     if (options_.quality == AnnealQuality::best) single.blocks = 48;
     single.progress = [this, blocks = single.blocks](int block, double, std::size_t, std::size_t) {
       tell("annealing", (block + 1.0) / blocks);
@@ -154,9 +155,9 @@ class Recipe {
     return fine;
   }
 
-  // Anneals starts refined from coarser levels, and one at full size, and takes the best. Smooth shapes gain
-  // much by refining: what lies far apart comes to order. Shapes with thin parts do not show them at a
-  // quarter of the atoms.
+  // Anneals starts refined from coarser levels, and one at full size unless it cannot win, and takes the
+  // best. Smooth shapes gain much by refining: what lies far apart comes to order. Shapes with thin parts do
+  // not show them at a quarter of the atoms.
   Candidate best_candidate(AnnealingLevel direct) {
     std::optional<Candidate> best;
     for (int refinements = refinements_for(atoms_, options_.quality); refinements > 0; --refinements) {
@@ -166,12 +167,13 @@ class Recipe {
         auto candidate = refined_candidate(refinements, attempt, attempts, roomy, direct.unannealed);
         if (candidate && (!best || merit(candidate->rest) < merit(best->rest))) best = std::move(candidate);
       }
-      if (best && best->rest.mean_distance < kNear) break;  // less refining could only lie still nearer
+      if (best && best->rest.mean_distance < near()) break;
     }
     if (best && !may_become_better(direct, *best)) return *std::move(best);
     anneal_level(direct, TetherSurface(surface_, 1), single_level_switching(!best));
     Candidate candidate = released(std::move(direct), 0);
-    if (best && merit(best->rest) <= merit(candidate.rest)) return *std::move(best);
+    if (best && (!holds(candidate.level) || merit(best->rest) <= merit(candidate.rest)))
+      return *std::move(best);
     return candidate;
   }
 
@@ -184,7 +186,13 @@ class Recipe {
 
   double merit(const SpringBack& rest) const {
     const double price = kDistancePrice + kTetherPrice * std::max(0.0, options_.tether - default_tether);
-    return rest.energy + price * std::max(rest.mean_distance, kNear);
+    return rest.energy + price * std::max(rest.mean_distance, near());
+  }
+
+  double near() const { return kNear * std::min(1.0, default_tether / options_.tether); }
+
+  double refined_tether() const {
+    return options_.tether - (1 - kRefinedTether) * std::min(options_.tether, default_tether);
   }
 
   Candidate released(AnnealingLevel level, int refinements) const {
@@ -204,12 +212,12 @@ class Recipe {
     for (int left = refinements - 1; left >= 0 && level; --left) {
       const TetherSurface tether_surface(surface_, scale(left));
       level->state = refined_in_four(level->state, tether_surface);
-      level->state.tether = kRefinedTether * options_.tether;
+      level->state.tether = refined_tether();
       relax_level(*level, tether_surface);
       if (left == 0 && level->unannealed > direct) return {};
       anneal_level(*level, tether_surface, fine_switching(left));
       // An overstretched bond is mostly mended by annealing; where not, without refining.
-      if (!level->sound && !holds(*level)) return {};
+      if (!holds(*level)) return {};
     }
     if (!level) return {};
     return released(*std::move(level), refinements);
@@ -238,14 +246,13 @@ class Recipe {
     relax_level(*level, tether_surface);
     if (!shows_shape(*level, surface, refinements, kLostAtStart)) return {};
     BondSwitchingOptions coarse = switching(atoms(refinements));
-    make_hot(coarse);
+    make_hot(coarse, atoms(refinements) >= kTiny);
     coarse.seed += 1000 * static_cast<std::uint64_t>(attempt);
     coarse.progress = [&](int block, double, std::size_t, std::size_t) {
       tell("annealing coarsely", (attempt + (block + 1.0) / coarse.blocks) / attempts);
     };
     anneal_level(*level, tether_surface, coarse);
-    const bool sound = level->sound || holds(*level);
-    if (!sound || lost_reach(*level, surface) > kLostInTheEnd * scale(refinements)) return {};
+    if (!holds(*level) || lost_reach(*level, surface) > kLostInTheEnd * scale(refinements)) return {};
     return level;
   }
 

@@ -63,8 +63,9 @@ struct AnnealResult {
 
 //! \brief The default recipe: from a surface to a molecule at a minimum of REBO2.
 //!
-//! Triangulates the surface and relaxes the dual. Anneals there, and also at a quarter (or a sixteenth) of
-//! the atoms, refined step by step, where the shape still shows with so few. Takes the molecule with the
+//! Triangulates the surface and relaxes the dual. Anneals at a sixteenth and a quarter of the atoms and
+//! refines step by step, where the shape still shows with so few; anneals at full size, too, where that may
+//! be better. Takes the molecule with the
 //! least energy once it is let go, at a price for more than 1 Angstrom of mean distance to the surface; where
 //! it springs back far from the surface, anneals it held against that. Then minimises the full potential
 //! without a tether; where REBO2 would see other bonds than the molecule's, mends the place first. In the end

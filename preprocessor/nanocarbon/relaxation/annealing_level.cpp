@@ -53,9 +53,7 @@ void relax_level(AnnealingLevel& level, const TetherSurface& surface, bool raw) 
 
 void anneal_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options) {
   options.tether = level.state.tether;
-  const BondSwitchingResult result = anneal_bonds(level.state, surface, options);
-  level.energy = result.energy;
-  level.accepted += result.accepted;
+  level.accepted += anneal_bonds(level.state, surface, options).accepted;
 }
 
 void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options) {

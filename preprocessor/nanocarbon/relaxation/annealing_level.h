@@ -10,7 +10,6 @@ namespace nanocarbon {
 struct AnnealingLevel {
   SwitchingState state;
   double unannealed = 0;     //!< eV for each atom, with tether, before any bond was switched
-  double energy = 0;         //!< eV for each atom, with tether
   double mean_distance = 0;  //!< of the atoms to the surface, Angstrom
   std::size_t accepted = 0;  //!< bond switches
   bool sound = false;        //!< REBO2 would see the bonds that are meant; as of relax_level()
@@ -34,7 +33,8 @@ void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchi
 
 //! \brief How far the surface reaches beyond the molecule: the distance of its farthest vertex from the
 //! molecule's triangulation, Angstrom.
-//! \details Atoms of a molecule that has lost a limb all lie on the surface: only this shows it.
+//! \details \pre every vertex of the surface is one of a triangle's. Atoms of a molecule that has lost a limb
+//! all lie on the surface: only this shows it.
 double lost_reach(const AnnealingLevel& level, const TriangleMesh& surface);
 
 }  // namespace nanocarbon

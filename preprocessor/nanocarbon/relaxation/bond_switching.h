@@ -7,8 +7,8 @@
 
 namespace nanocarbon {
 
-//! REBO2 energy of graphene at rest, eV for each atom: the price of atoms gained or lost, since shape and
-//! defects cost about the same whatever the number of atoms.
+//! REBO2 energy of graphene at rest, eV for each atom: what energies are reckoned from, and the price of
+//! atoms gained or lost where the molecules of two blocks are compared as wholes.
 inline constexpr double graphene_energy = -7.3949972517;
 
 struct BondSwitchingOptions {

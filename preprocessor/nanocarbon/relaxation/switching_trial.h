@@ -39,7 +39,7 @@ struct TrialWorkspace {
 std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<const RingIndex> defects,
                                      double climb_share, RandomStream& random);
 
-//! The most that the energy of the bonds may rise by a switch, eV, but for the price of atoms gained: drawn
+//! The most that the energy may rise by a switch, eV, but for the price of atoms gained: drawn
 //! by the Metropolis rule before anything is relaxed.
 double draw_allowance(const NetworkEdit& edit, const TrialTerms& terms, RandomStream& random);
 
