@@ -54,6 +54,15 @@ struct Candidate {
   int refinements = 0;
 };
 
+// The starts that are made at one coarse level.
+struct CoarseLevels {
+  int refinements;
+  int attempts;        // at most, with a seed each, and as many times annealed
+  int attempt = 0;     // under way
+  int annealed = 0;    // so far
+  bool roomy = false;  // thin parts are made as thick as this level needs, from now on
+};
+
 int refinements_for(std::size_t atoms, AnnealQuality quality) {
   if (quality == AnnealQuality::draft) return 0;
   int levels = 0;
@@ -161,10 +170,9 @@ class Recipe {
   Candidate best_candidate(AnnealingLevel direct) {
     std::optional<Candidate> best;
     for (int refinements = refinements_for(atoms_, options_.quality); refinements > 0; --refinements) {
-      const int attempts = options_.quality == AnnealQuality::best ? 4 : 2;
-      bool roomy = false;
-      for (int attempt = 0; attempt < attempts; ++attempt) {
-        auto candidate = refined_candidate(refinements, attempt, attempts, roomy, direct.unannealed);
+      CoarseLevels coarse{refinements, options_.quality == AnnealQuality::best ? 4 : 2};
+      for (; coarse.attempt < coarse.attempts && coarse.annealed < coarse.attempts; ++coarse.attempt) {
+        auto candidate = refined_candidate(coarse, direct.unannealed);
         if (candidate && (!best || merit(candidate->rest) < merit(best->rest))) best = std::move(candidate);
       }
       if (best && best->rest.mean_distance < near()) break;
@@ -202,14 +210,14 @@ class Recipe {
 
   // Annealed at a coarser level, refined and annealed shortly on the way. Nothing where the shape is not
   // held, or where there is nothing to gain over a start at full size of the given energy.
-  std::optional<Candidate> refined_candidate(int refinements, int attempt, int attempts, bool& roomy,
-                                             double direct) const {
-    std::optional<AnnealingLevel> level = coarse_level(refinements, attempt, attempts, roomy);
-    if (!level && !roomy && options_.make_room && options_.make_room(scaled_surface(refinements))) {
-      roomy = true;  // in later attempts, too
-      level = coarse_level(refinements, attempt, attempts, roomy);
+  std::optional<Candidate> refined_candidate(CoarseLevels& coarse, double direct) const {
+    std::optional<AnnealingLevel> level = coarse_level(coarse);
+    const bool once_more = !level && !coarse.roomy && coarse.annealed < coarse.attempts;
+    if (once_more && options_.make_room && options_.make_room(scaled_surface(coarse.refinements))) {
+      coarse.roomy = true;
+      level = coarse_level(coarse);
     }
-    for (int left = refinements - 1; left >= 0 && level; --left) {
+    for (int left = coarse.refinements - 1; left >= 0 && level; --left) {
       const TetherSurface tether_surface(surface_, scale(left));
       level->state = refined_in_four(level->state, tether_surface);
       level->state.tether = refined_tether();
@@ -220,7 +228,7 @@ class Recipe {
       if (!holds(*level)) return {};
     }
     if (!level) return {};
-    return released(*std::move(level), refinements);
+    return released(*std::move(level), coarse.refinements);
   }
 
   // Nothing where there are too few atoms for the surface's topology.
@@ -236,22 +244,24 @@ class Recipe {
     }
   }
 
-  // Nothing where the shape is not held. \param roomy with thin parts made as thick as this level needs
-  std::optional<AnnealingLevel> coarse_level(int refinements, int attempt, int attempts, bool roomy) const {
+  // Nothing where the shape is not held.
+  std::optional<AnnealingLevel> coarse_level(CoarseLevels& coarse) const {
+    const int refinements = coarse.refinements;
     TriangleMesh surface = scaled_surface(refinements);
-    if (roomy) surface = with_room(surface, options_);
+    if (coarse.roomy) surface = with_room(surface, options_);
     const TetherSurface tether_surface(surface, 1);
-    std::optional<AnnealingLevel> level = coarse_start(surface, refinements, attempt);
+    std::optional<AnnealingLevel> level = coarse_start(surface, refinements, coarse.attempt);
     if (!level) return {};
     relax_level(*level, tether_surface);
     if (!shows_shape(*level, surface, refinements, kLostAtStart)) return {};
-    BondSwitchingOptions coarse = switching(atoms(refinements));
-    make_hot(coarse, atoms(refinements) >= kTiny);
-    coarse.seed += 1000 * static_cast<std::uint64_t>(attempt);
-    coarse.progress = [&](int block, double, std::size_t, std::size_t) {
-      tell("annealing coarsely", (attempt + (block + 1.0) / coarse.blocks) / attempts);
+    BondSwitchingOptions hot = switching(atoms(refinements));
+    make_hot(hot, atoms(refinements) >= kTiny);
+    hot.seed += 1000 * static_cast<std::uint64_t>(coarse.attempt);
+    hot.progress = [&](int block, double, std::size_t, std::size_t) {
+      tell("annealing coarsely", (coarse.annealed + (block + 1.0) / hot.blocks) / coarse.attempts);
     };
-    anneal_level(*level, tether_surface, coarse);
+    anneal_level(*level, tether_surface, hot);
+    ++coarse.annealed;
     if (!holds(*level) || lost_reach(*level, surface) > kLostInTheEnd * scale(refinements)) return {};
     return level;
   }
