@@ -14,7 +14,7 @@ namespace nanocarbon {
 //! How much time may be spent on a molecule. CPU on one core, for each atom of 200 to 10,000.
 enum class AnnealQuality {
   draft,  //!< dual relaxation alone, below 1 ms
-  good,   //!< defects annealed, below 20 ms
+  good,   //!< defects annealed, 8 to 20 ms, up to 25 where thin parts defy coarse levels
   best    //!< several attempts and slower cooling, below 100 ms
 };
 
