@@ -32,7 +32,7 @@ TEST(AnnealingLevel, WhatTheSurfaceReachesBeyondTheMoleculeIsLost) {
   EXPECT_NEAR(lost_reach(*level, horned), 9, 1.0);
 }
 
-// A bond of twice its length is what REBO2 no longer sees.
+// An atom pulled out by a tenth of the radius, 1.2 Angstrom: its bonds are longer than REBO2 sees whole.
 TEST(AnnealingLevel, AnOverstretchedBondDoesNotHold) {
   auto level = level_on(sphere(6), 0.05, true);
   relax_level(*level, TetherSurface(sphere(20), 1));

@@ -33,8 +33,8 @@ void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchi
 
 //! \brief How far the surface reaches beyond the molecule: the distance of its farthest vertex from the
 //! molecule's triangulation, Angstrom.
-//! \details \pre every vertex of the surface is one of a triangle's. Atoms of a molecule that has lost a limb
-//! all lie on the surface: only this shows it.
+//! \details Atoms of a molecule that has lost a limb all lie on the surface: only this shows it.
+//! \pre every vertex of the surface is one of a triangle's
 double lost_reach(const AnnealingLevel& level, const TriangleMesh& surface);
 
 }  // namespace nanocarbon
