@@ -53,6 +53,25 @@ TEST(Anneal, GoodLeavesASphereItsTwelvePentagons) {
   EXPECT_LT(result.energy - graphene, 0.1541 * 320 / static_cast<double>(result.molecule.size()) + 0.006);
 }
 
+// Twelve pentagons at a quarter of the atoms, and a rough triangulation with all of them; and the other way
+// round.
+TEST(Anneal, TakesTheBetterOfItsStarts) {
+  constexpr std::size_t atoms = 1280;
+  for (const bool coarse_is_better : {true, false}) {
+    const auto triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
+      if ((faces < atoms) != coarse_is_better) return rough_triangulation(surface, faces, seed);
+      TriangleMesh mesh = test::unit_sphere(static_cast<int>(std::lround(std::sqrt(faces / 20.0))));
+      for (Vec3& p : mesh.points) p *= surface.points[0].norm();
+      return mesh;
+    };
+    const auto result = anneal(sphere_for(atoms), atoms, triangulate, {.threads = 2});
+    EXPECT_EQ(result.refinements, coarse_is_better ? 1 : 0);
+    EXPECT_EQ(rings_of(result.molecule, 5), 12u);
+    EXPECT_EQ(rings_of(result.molecule, 7), 0u);
+    EXPECT_LT(result.energy, result.unannealed_energy);
+  }
+}
+
 // High genus: a sixteenth of the atoms is too few for the topology, the number asked for is not.
 TEST(Anneal, LevelsTooCoarseForTheTopologyAreLeftOut) {
   const auto triangulate = [](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {

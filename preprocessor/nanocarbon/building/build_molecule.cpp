@@ -174,10 +174,13 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   if (!options.force) require_room_for_features(result, options);
   const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
     Stopwatch crystal;
-    CrystalResult made = crystallise(surface, {.faces = faces,
-                                               .seed = seed,
-                                               .quality = crystal_quality(options.quality),
-                                               .progress = options.progress});
+    CrystalOptions wanted{.faces = faces,
+                          .seed = seed,
+                          .quality = crystal_quality(options.quality),
+                          .progress = options.progress};
+    // A sixteenth of the atoms serves smooth shapes, on which the first seed does.
+    if (faces < result.surface.atoms / 8) wanted.attempts = 1;
+    CrystalResult made = crystallise(surface, wanted);
     result.seconds.remeshing += crystal.lap();
     return std::move(made.mesh);
   };

@@ -193,7 +193,6 @@ class Annealer {
     identity_.resize(state_.network.atoms.size());
     if (trial.edit->atoms_added() > 0)
       for (const AtomIndex a : added) identity_[a] = next_identity_++;
-    if (trial.edit->atoms_added() > 0) lift_as_neighbours(added);
     for (std::size_t k = 0; k < trial.moved.size(); ++k) {
       AtomIndex a = trial.moved[k];
       if (a == added_atoms[0]) a = added[0];
@@ -212,14 +211,6 @@ class Annealer {
     ++result_.accepted;
   }
 
-  void lift_as_neighbours(const std::array<AtomIndex, 2>& added) {
-    if (state_.lift.empty()) return;
-    state_.lift.resize(state_.network.atoms.size(), 0);
-    for (const AtomIndex a : added)
-      for (const AtomIndex n : state_.network.atoms[a].neighbour)
-        if (n != added[0] && n != added[1]) state_.lift[a] = state_.lift[n];
-  }
-
   void compact_state() {
     if (free_atoms_.empty() && free_rings_.empty()) return;
     const std::vector<AtomIndex> former = compact(state_.network);
@@ -228,9 +219,7 @@ class Annealer {
       state_.planes[a] = state_.planes[former[a]];
       changed_[a] = changed_[former[a]];
       identity_[a] = identity_[former[a]];
-      if (!state_.lift.empty()) state_.lift[a] = state_.lift[former[a]];
     }
-    if (!state_.lift.empty()) state_.lift.resize(former.size());
     state_.positions.resize(former.size());
     state_.planes.resize(former.size());
     free_atoms_.clear();
@@ -270,12 +259,10 @@ double relax_state(SwitchingState& state, const TetherSurface& surface, int max_
   model.free_mean = state.free_mean;
   if (state.planes.size() != state.positions.size()) state.planes = tangent_planes(surface, state.positions);
   model.planes = std::move(state.planes);
-  model.lift = std::move(state.lift);
   const LbfgsResult relaxed =
       minimise_fixed_bonds(model, &surface, state.positions,
                            {.max_iterations = max_iterations, .force_tolerance = force_tolerance});
   state.planes = std::move(model.planes);
-  state.lift = std::move(model.lift);
   state.mean_height = state.free_mean ? mean_height(state.planes, state.positions) : 0;
   state.contacts = std::move(model.contacts);
   state.contacts.renew(state.positions, model.rebo2.graph().neighbours);

@@ -20,10 +20,7 @@ LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const TetherSurface* sur
   LbfgsResult result;
   int iterations = 0;
   do {
-    if (surface) {
-      model.planes = tangent_planes(*surface, positions, model.planes);
-      lift_planes(model.planes, model.lift);
-    }
+    if (surface) model.planes = tangent_planes(*surface, positions, model.planes);
     LbfgsOptions part = options;
     part.max_iterations = options.max_iterations - iterations;
     if (surface) part.max_iterations = std::min(part.max_iterations, renewal);

@@ -17,7 +17,6 @@ struct FixedBondModel {
   std::vector<TangentPlane> planes;  //!< one for each atom; empty for no tether
   double tether = 0;                 //!< eV/Angstrom^2
   bool free_mean = true;             //!< of the heights above the surface, see add_tether()
-  std::vector<double> lift = {};     //!< of the planes above the surface, Angstrom; empty: none
 
   //! Sum of the terms in eV; gradient added to.
   double evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient);

@@ -8,27 +8,6 @@ namespace {
 
 constexpr int kIterations = 800;
 constexpr double kForceTolerance = 1e-2;  // eV/Angstrom
-constexpr int kSmoothing = 20;            // sweeps: about four bonds
-// Of the spring-back that is held against. All of it would overshoot: bending springs back whatever the
-// bonds.
-constexpr double kShare = 0.7;
-
-std::vector<double> smoothed(std::vector<double> values, const TrivalentNetwork& network) {
-  std::vector<double> next(values.size());
-  for (int sweep = 0; sweep < kSmoothing; ++sweep) {
-    for (std::size_t a = 0; a < values.size(); ++a) {
-      double sum = values[a], count = 1;
-      for (const AtomIndex n : network.atoms[a].neighbour)
-        if (n != no_atom) {
-          sum += values[n];
-          ++count;
-        }
-      next[a] = sum / count;
-    }
-    values.swap(next);
-  }
-  return values;
-}
 
 }  // namespace
 
@@ -42,19 +21,8 @@ SpringBack spring_back(const SwitchingState& state, const TetherSurface& surface
   SpringBack result;
   result.energy = released.energy / count;
   result.fit = fit_to_surface(positions, surface, with_scale);
-  for (const Vec3& p : positions) {
-    const Vec3 x = result.fit(p);
-    result.heights.push_back(height_above(surface.plane_at(x), x));
-    result.mean_distance += surface.distance(x) / count;
-  }
-  result.heights = smoothed(std::move(result.heights), state.network);
+  for (const Vec3& p : positions) result.mean_distance += surface.distance(result.fit(p)) / count;
   return result;
-}
-
-void compensate(SwitchingState& state, const SpringBack& spring_back) {
-  state.lift.resize(state.positions.size(), 0);
-  for (std::size_t a = 0; a < state.positions.size(); ++a) state.lift[a] -= kShare * spring_back.heights[a];
-  state.planes.clear();
 }
 
 }  // namespace nanocarbon

@@ -105,10 +105,6 @@ std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span
   return planes;
 }
 
-void lift_planes(std::span<TangentPlane> planes, std::span<const double> heights) {
-  for (std::size_t a = 0; a < heights.size(); ++a) planes[a].point += heights[a] * planes[a].normal;
-}
-
 double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions) {
   double sum = 0;
   for (std::size_t a = 0; a < positions.size(); ++a) sum += height_above(planes[a], positions[a]);

@@ -46,9 +46,6 @@ class TetherSurface {
 std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions,
                                          std::span<const TangentPlane> former = {});
 
-//! Moves planes along their normals. \param heights Angstrom; empty: nowhere
-void lift_planes(std::span<TangentPlane> planes, std::span<const double> heights);
-
 //! Height of a position above a plane, Angstrom.
 inline double height_above(const TangentPlane& plane, const Vec3& position) {
   return (position - plane.point).dot(plane.normal);

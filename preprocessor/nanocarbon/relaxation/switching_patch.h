@@ -18,7 +18,6 @@ struct SwitchingState {
   bool free_mean = true;    //!< of the heights above the surface, see add_tether()
   double mean_height = 0;   //!< Angstrom, where the tether is at rest; as of the last relaxation of the whole
   StericContacts contacts;  //!< as of the last relaxation of the whole
-  std::vector<double> lift = {};  //!< Angstrom above the surface at which atoms are held; empty: none
 };
 
 //! \brief The surroundings of a bond switch, copied so that trials can run side by side on one state.

@@ -29,9 +29,6 @@ constexpr double coldest = 0.2;
 // Below this many triangles a coarse level says too little about where the fine one's defects belong.
 constexpr std::size_t least_coarse_faces = 1200;
 
-// Freezing is a matter of chance: on the thin ears of the Stanford bunny two seeds of five leave a fold or a
-// wrong valence that mending does not cure. Others are tried then, and the least troubled is kept.
-constexpr int attempts = 3;
 constexpr std::uint64_t seed_step = 1000003;
 
 //! Steps of annealing and temperatures for a quality. Refined levels stay below melting: they keep their
@@ -212,7 +209,9 @@ CrystalResult crystallise(const TriangleMesh& surface, const CrystalOptions& opt
   std::optional<Tiling> best;
   std::size_t least = 0;
   CrystalOptions trial = options;
-  for (int attempt = 0; attempt < attempts && (!best || least > 0); ++attempt) {
+  // Freezing is a matter of chance: on the thin ears of the Stanford bunny two seeds of five leave a fold or
+  // a wrong valence that mending does not cure.
+  for (int attempt = 0; attempt < options.attempts && (!best || least > 0); ++attempt) {
     int levels = 0;
     Tiling tiling = crystallise_once(guide, result.spacing, trial, levels);
     const std::size_t troubled = troubled_vertices(tiling).size();

@@ -21,6 +21,8 @@ struct CrystalOptions {
   std::size_t faces = 10000;  //!< triangles wanted, one for each atom
   std::uint64_t seed = 1;
   CrystalQuality quality = CrystalQuality::good;
+  //! Seeds that are tried until one leaves no fold or wrong valence; the least troubled one is kept.
+  int attempts = 3;
   //! Called now and then with what is going on and the share of the work done, 0 to 1.
   std::function<void(std::string_view stage, double share)> progress = {};
 };
@@ -43,7 +45,7 @@ struct CrystalResult {
 //! crystal. Where the shape allows, this is done with a quarter of the faces (or a quarter of that), and each
 //! triangle is split in four: no new defects, and order over longer ranges than one level reaches. Then what
 //! is left of wrong valences is flipped away and edges are evened. Where a wrong valence or a fold is left
-//! even so, up to two more seeds are tried, which takes as many times as long.
+//! even so, more seeds are tried, which takes as many times as long.
 //!
 //! Linear in faces; the same for the same seed. Works in any unit.
 //!

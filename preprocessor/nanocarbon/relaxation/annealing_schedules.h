@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+
+#include "nanocarbon/relaxation/anneal_recipe.h"
+#include "nanocarbon/relaxation/bond_switching.h"
+
+namespace nanocarbon {
+
+//! Times a triangulation can be coarsened to a quarter before too few atoms are left to show a shape; 0 for a
+//! draft, which does not anneal.
+int refinements_for(std::size_t atoms, AnnealQuality quality);
+
+//! Cold: for mending what is wrong at a few places.
+BondSwitchingOptions cold_schedule(std::size_t atoms, const AnnealOptions& options);
+
+//! From where defects move freely: for molecules small enough, or coarse levels of larger ones.
+BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, const AnnealOptions& options);
+
+//! For a start at full size. \param alone no refined start has come about
+BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone, const AnnealOptions& options);
+
+//! For what is refined from a coarser level and has its order already.
+BondSwitchingOptions refined_schedule(std::size_t atoms, const AnnealOptions& options);
+
+}  // namespace nanocarbon

@@ -1,0 +1,88 @@
+#include "nanocarbon/relaxation/coarse_starts.h"
+
+#include <utility>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/relaxation/annealing_schedules.h"
+
+namespace nanocarbon {
+
+namespace {
+
+// Stiffer than the tether that was asked for by this for each refinement.
+constexpr double kCoarseTether = 3;
+
+// Atoms farther from the surface than this in the mean, multiplied up to the full size, have lost the shape,
+// and so have those beyond which the surface reaches farther than this, at the start and once annealed,
+// Angstrom at full size.
+constexpr double kCoarseDistance = 3, kLostAtStart = 8, kLostInTheEnd = 10;
+// Where so much is lost the next start will lose too much as well.
+constexpr double kLostForGood = 12;
+
+// A start with more energy than this above graphene, eV an atom, is bent so sharply that annealing, which
+// takes longest there, leaves bonds that do not hold. C60 has 0.53, C240 0.20.
+constexpr double kMostBent = 0.35;
+
+}  // namespace
+
+CoarseStarts::CoarseStarts(const TriangleMesh& surface, std::size_t atoms, int refinements,
+                           Triangulator triangulate, AnnealOptions options)
+    : surface_(surface),
+      atoms_(atoms >> (2 * refinements)),
+      refinements_(refinements),
+      triangulate_(std::move(triangulate)),
+      options_(std::move(options)),
+      attempts_(options_.quality == AnnealQuality::best ? 4 : 2) {
+  for (Vec3& p : surface_.points) p *= scale();
+}
+
+std::optional<AnnealingLevel> CoarseStarts::next() {
+  std::optional<AnnealingLevel> level = annealed();
+  if (!level && annealed_ < attempts_ && make_room()) level = annealed();
+  ++attempt_;
+  return level;
+}
+
+// Whether there is more room now. Once is enough for all starts that follow.
+bool CoarseStarts::make_room() {
+  if (roomy_ || !options_.make_room) return false;
+  roomy_ = true;
+  std::optional<TriangleMesh> roomy = options_.make_room(surface_);
+  if (!roomy) return false;
+  surface_ = *std::move(roomy);
+  lost_for_good_ = false;
+  return true;
+}
+
+std::optional<AnnealingLevel> CoarseStarts::triangulated() const {
+  try {
+    return level_on(triangulate_(surface_, atoms_, options_.seed + static_cast<std::uint64_t>(attempt_)),
+                    options_.tether * std::pow(kCoarseTether, refinements_), !options_.keep_size);
+  } catch (const UserError&) {  // too few atoms for the surface's topology
+    return {};
+  }
+}
+
+std::optional<AnnealingLevel> CoarseStarts::annealed() {
+  std::optional<AnnealingLevel> level = triangulated();
+  if (!level) return {};
+  const TetherSurface tether_surface(surface_, 1);
+  relax_level(*level, tether_surface);
+  if (level->mean_distance > kCoarseDistance * scale() || level->unannealed > graphene_energy + kMostBent ||
+      lost_reach(*level, surface_) > kLostAtStart * scale())
+    return {};
+  BondSwitchingOptions hot = hot_schedule(atoms_, true, options_);
+  hot.seed += 1000 * static_cast<std::uint64_t>(attempt_);
+  hot.progress = [&](int block, double, std::size_t, std::size_t) {
+    if (options_.progress)
+      options_.progress("annealing coarsely", (annealed_ + (block + 1.0) / hot.blocks) / attempts_);
+  };
+  anneal_level(*level, tether_surface, hot);
+  ++annealed_;
+  const double lost = lost_reach(*level, surface_);
+  lost_for_good_ = lost > kLostForGood * scale();
+  if (lost > kLostInTheEnd * scale() || !holds(*level)) return {};
+  return level;
+}
+
+}  // namespace nanocarbon
