@@ -93,6 +93,17 @@ void write_outputs(const BuildCommand& command, const BuildResult& result,
   files.publish();
 }
 
+// The outputs are there to be looked at, but a script must not take them for proven.
+void require_proof(const BuildCommand& command, const BuildResult& result) {
+  if (!result.certificate || result.certificate->minimum() || command.build.force) return;
+  throw UserError(
+      Failure::failed,
+      fmt::format("{}: written, but not shown to be a minimum: the forces did not vanish or the "
+                  "Hessian's smallest eigenvalue is not above its uncertainty (the report tells); "
+                  "take it as it is with --force",
+                  command.data.string()));
+}
+
 void run(BuildCommand& command) {
   require_outputs(command);
   BuildOptions& options = command.build;
@@ -124,6 +135,7 @@ void run(BuildCommand& command) {
   const auto report = build_report(result, options, {command.command_line, command.mesh, surface.repairs});
   write_outputs(command, result, report);
   if (!command.common.quiet) fmt::print("{}\n{}", command.data.string(), report_table(report));
+  require_proof(command, result);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 namespace nanocarbon {
@@ -104,6 +105,28 @@ TEST_F(Program, WarnsWhereForcesStayAboveWhatWasAskedFor) {
   EXPECT_EQ(beyond_rounding.exit_code, 0);
   EXPECT_THAT(beyond_rounding.err, HasSubstr("warning"));
   EXPECT_THAT(beyond_rounding.err, HasSubstr("the largest force left is"));
+}
+
+// A ribbon of 110 Angstrom: bending it costs next to nothing, less than can be told from nothing.
+TEST_F(Program, AMoleculeNotShownToBeAtAMinimumIsNotPassedOffAsCertified) {
+  constexpr int pieces = 40;
+  std::ostringstream ribbon;
+  ribbon << "OFF\n" << 2 * pieces + 2 << ' ' << 2 * pieces << " 0\n";
+  for (int k = 0; k <= pieces; ++k)
+    for (const int y : {0, 1}) ribbon << 12.0 * k / pieces << ' ' << y << " 0\n";
+  for (int a = 0; a < 2 * pieces; a += 2) {
+    ribbon << "3 " << a << ' ' << a + 2 << ' ' << a + 1 << '\n';
+    ribbon << "3 " << a + 1 << ' ' << a + 2 << ' ' << a + 3 << '\n';
+  }
+  const std::string build = "build " + file("ribbon.off", ribbon.str()) +
+                            " --atoms 400 --quality draft --certify -o " + path("ribbon.data") +
+                            " --report " + path("ribbon.json");
+  const Outcome refused = run(build);
+  EXPECT_EQ(refused.exit_code, 8);
+  EXPECT_THAT(refused.err, HasSubstr("not shown to be a minimum"));
+  EXPECT_TRUE(fs::exists(path("ribbon.data")));  // to be looked at
+  EXPECT_FALSE(nlohmann::json::parse(contents(path("ribbon.json")))["certificate"]["minimum"].get<bool>());
+  EXPECT_EQ(run(build + " --force").exit_code, 0);
 }
 
 TEST_F(Program, WholeNumbersMayHaveAnExponent) {

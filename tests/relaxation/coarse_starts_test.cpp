@@ -78,7 +78,7 @@ TEST(CoarseStarts, WhatLeavesOutPartsOfTheShapeIsTriedOnceMoreWithRoom) {
   EXPECT_EQ(rooms, 1);
 }
 
-// A quarter of 240 atoms is C60, 0.53 eV an atom above graphene.
+// A quarter of 240 atoms is C60, 0.55 eV an atom above graphene.
 TEST(CoarseStarts, SheetsBentAsSharplyAsC60AreNotAnnealed) {
   TriangleMesh small = sphere();
   for (Vec3& p : small.points) p *= std::sqrt(240.0 / atoms);

@@ -20,7 +20,7 @@ constexpr double kCoarseDistance = 3, kLostAtStart = 8, kLostInTheEnd = 10;
 constexpr double kLostForGood = 12;
 
 // A start with more energy than this above graphene, eV an atom, is bent so sharply that annealing, which
-// takes longest there, leaves bonds that do not hold. C60 has 0.53, C240 0.20.
+// takes longest there, leaves bonds that do not hold. C60 has 0.55, C240 0.20.
 constexpr double kMostBent = 0.35;
 
 }  // namespace
