@@ -10,6 +10,7 @@
 #include "nanocarbon/relaxation/annealing_level.h"
 #include "nanocarbon/relaxation/annealing_schedules.h"
 #include "nanocarbon/relaxation/coarse_starts.h"
+#include "nanocarbon/relaxation/cost_of_distance.h"
 #include "nanocarbon/relaxation/geometry_check.h"
 #include "nanocarbon/relaxation/minimise_rebo2.h"
 #include "nanocarbon/relaxation/refine_network.h"
@@ -23,10 +24,6 @@ namespace {
 // so that it can buckle where that is cheaper, and by all that is asked beyond.
 constexpr double kRefinedTether = 0.2;
 
-// Of molecules from several starts the one with the least energy is best, but for being farther from the
-// surface than this in the mean, Angstrom, which has a price, eV for each atom and Angstrom. A tether stiffer
-// than the default makes that distance shorter in proportion and the price higher, for each eV/Angstrom^2.
-constexpr double kNear = 1, kDistancePrice = 0.03, kTetherPrice = 1.0 / 3;
 // Annealing at full size hardly ever leaves less than this of a start's energy above graphene.
 constexpr double kLeastLeft = 0.75;
 
@@ -102,15 +99,15 @@ class Recipe {
       CoarseStarts starts(surface_, atoms_, refinements, triangulate_, options_);
       while (starts.left()) {
         auto candidate = refined_candidate(starts.next(), refinements, direct.unannealed);
-        if (candidate && (!best || merit(candidate->rest) < merit(best->rest))) best = std::move(candidate);
+        if (candidate && (!best || cost(candidate->rest) < cost(best->rest))) best = std::move(candidate);
       }
-      if (best && best->rest.mean_distance < near()) break;
+      if (best && best->rest.mean_distance < distance_for_nothing(options_.tether)) break;
     }
     if (best && !may_become_better(direct, *best)) return *std::move(best);
     anneal_level(direct, TetherSurface(surface_, 1),
                  told(full_size_schedule(atoms_, !best, options_), "annealing"));
     Candidate candidate = released(std::move(direct), 0);
-    if (best && (!holds(candidate.level) || merit(best->rest) <= merit(candidate.rest)))
+    if (best && (!holds(candidate.level) || cost(best->rest) <= cost(candidate.rest)))
       return *std::move(best);
     return candidate;
   }
@@ -119,15 +116,12 @@ class Recipe {
     SpringBack least = spring_back(direct.state, TetherSurface(surface_, 1), !options_.keep_size);
     least.energy = graphene_energy + kLeastLeft * (least.energy - graphene_energy);
     least.mean_distance = 0;
-    return merit(least) < merit(best.rest);
+    return cost(least) < cost(best.rest);
   }
 
-  double merit(const SpringBack& rest) const {
-    const double price = kDistancePrice + kTetherPrice * std::max(0.0, options_.tether - default_tether);
-    return rest.energy + price * std::max(rest.mean_distance, near());
+  double cost(const SpringBack& rest) const {
+    return cost_of(rest.energy, rest.mean_distance, options_.tether);
   }
-
-  double near() const { return kNear * std::min(1.0, default_tether / options_.tether); }
 
   double refined_tether() const {
     return options_.tether - (1 - kRefinedTether) * std::min(options_.tether, default_tether);
