@@ -93,15 +93,25 @@ void write_outputs(const BuildCommand& command, const BuildResult& result,
   files.publish();
 }
 
+std::string what_the_proof_lacks(const Certificate& certificate) {
+  constexpr double tolerance = 1e-6;  // eV/Angstrom, of Certificate::minimum()
+  std::vector<std::string> lacks;
+  if (certificate.max_force >= tolerance)
+    lacks.push_back(fmt::format("a force of {:.1e} eV/A is left", certificate.max_force));
+  if (!certificate.eigenvalues.empty() && certificate.eigenvalues.front() <= certificate.uncertainty)
+    lacks.push_back(fmt::format("the Hessian's smallest eigenvalue is {:.1e} eV/A^2, known to {:.1e}",
+                                certificate.eigenvalues.front(), certificate.uncertainty));
+  if (!certificate.complete) lacks.push_back("smaller eigenvalues of the Hessian may have been missed");
+  return fmt::format("{}", fmt::join(lacks, "; "));
+}
+
 // The outputs are there to be looked at, but a script must not take them for proven.
 void require_proof(const BuildCommand& command, const BuildResult& result) {
   if (!result.certificate || result.certificate->minimum() || command.build.force) return;
   throw UserError(
       Failure::failed,
-      fmt::format("{}: written, but not shown to be a minimum: the forces did not vanish or the "
-                  "Hessian's smallest eigenvalue is not above its uncertainty (the report tells); "
-                  "take it as it is with --force",
-                  command.data.string()));
+      fmt::format("{}: written, but not shown to be at a minimum: {}; take it as it is with --force",
+                  command.data.string(), what_the_proof_lacks(*result.certificate)));
 }
 
 void run(BuildCommand& command) {

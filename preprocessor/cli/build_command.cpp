@@ -82,11 +82,12 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
       ->check(above_zero())
       ->capture_default_str();
   group->add_flag("--certify", c.build.certify,
-                  "Prove that the molecule is at a minimum: forces below 1e-6 eV/Angstrom, Hessian positive");
+                  "Prove that the molecule is at a minimum: forces below 1e-6 eV/Angstrom, Hessian positive; "
+                  "where that cannot be shown the files are written, and the exit code is 8");
   group->add_flag(
       "--force", c.build.force,
-      "Go on where the shape's features ask for more atoms, and keep a molecule that does not hold or is no "
-      "longer the shape");
+      "Go on where the shape's features ask for more atoms, and keep a molecule that does not hold, is no "
+      "longer the shape, or is not shown to be at a minimum");
 }
 
 void add_thesis_options(CLI::App& sub, BuildCommand& c) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 
 #include "nanocarbon/core/error.h"
 #include "relaxation/support/rough_sphere.h"
@@ -36,6 +37,9 @@ TEST(CoarseStarts, AQuarterOfTheAtomsOnHalfTheSphere) {
   EXPECT_TRUE(holds(*level));
   const double radius = sphere().points[0].norm() / 2;
   for (const Vec3& p : level->state.positions) EXPECT_NEAR(p.norm(), radius, 1);
+  EXPECT_TRUE(starts.left());
+  starts.next();
+  EXPECT_FALSE(starts.left());
 }
 
 TEST(CoarseStarts, AreTwoAndFourForTheBestQuality) {
@@ -50,6 +54,7 @@ TEST(CoarseStarts, AreTwoAndFourForTheBestQuality) {
     int tried = 0;
     for (; starts.left(); ++tried) EXPECT_FALSE(starts.next().has_value());
     EXPECT_EQ(tried, most);
+    EXPECT_EQ(seeds.size(), static_cast<std::size_t>(most));
     for (std::size_t k = 0; k < seeds.size(); ++k) EXPECT_EQ(seeds[k], 7 + k);
   }
 }
@@ -78,20 +83,26 @@ TEST(CoarseStarts, WhatLeavesOutPartsOfTheShapeIsTriedOnceMoreWithRoom) {
   EXPECT_EQ(rooms, 1);
 }
 
-// A quarter of 240 atoms is C60, 0.55 eV an atom above graphene.
-TEST(CoarseStarts, SheetsBentAsSharplyAsC60AreNotAnnealed) {
-  TriangleMesh small = sphere();
-  for (Vec3& p : small.points) p *= std::sqrt(240.0 / atoms);
-  bool annealed = false;
-  CoarseStarts starts(small, 240, 1,
-                      [](const TriangleMesh& surface, std::size_t, std::uint64_t) {
-                        TriangleMesh c60 = icosahedral_triangulation(1, 1);
-                        for (Vec3& p : c60.points) p *= surface.points[0].norm() / p.norm();
-                        return c60;
-                      },
-                      {.progress = [&](std::string_view, double) { annealed = true; }});
-  EXPECT_FALSE(starts.next().has_value());
-  EXPECT_FALSE(annealed);
+// A sixteenth of the atoms: C60 has 0.55 eV an atom above graphene, C240 0.20.
+TEST(CoarseStarts, AtASixteenthSheetsBentAsSharplyAsC60AreAnnealedForTheBestQualityOnly) {
+  for (const auto& [quality, count, worth_it] : {std::tuple{AnnealQuality::good, 60, false},
+                                                 {AnnealQuality::best, 60, true},
+                                                 {AnnealQuality::good, 240, true}}) {
+    TriangleMesh surface = test::unit_sphere(20);
+    const auto all = 16 * static_cast<std::size_t>(count);
+    for (Vec3& p : surface.points) p *= test::scale_for(all, 4 * std::numbers::pi);
+    bool annealed = false;
+    CoarseStarts starts(surface, all, 2,
+                        [](const TriangleMesh& sphere, std::size_t faces, std::uint64_t) {
+                          const int k = faces == 60 ? 1 : 2;
+                          TriangleMesh cage = icosahedral_triangulation(k, k);
+                          for (Vec3& p : cage.points) p *= sphere.points[0].norm() / p.norm();
+                          return cage;
+                        },
+                        {.quality = quality, .progress = [&](std::string_view, double) { annealed = true; }});
+    starts.next();
+    EXPECT_EQ(annealed, worth_it) << count;
+  }
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ struct BuildOptions {
   bool certify = false;           //!< prove that the molecule is at a minimum (certificate.h)
   //! @}
   //! Go on where the shape asks for more atoms, keep a molecule that does not hold or has lost the shape.
+  //! (The program also takes one that is not shown to be at a minimum.)
   bool force = false;
   ThesisOptions thesis;  //!< of the thesis and its forerunners
   bool relax = false;    //!< the dual of theirs, to a minimum of REBO2 with the bonds it has (dual_minimum.h)

@@ -10,11 +10,12 @@
 #include "nanocarbon/relaxation/annealing_level.h"
 #include "nanocarbon/relaxation/annealing_schedules.h"
 #include "nanocarbon/relaxation/coarse_starts.h"
-#include "nanocarbon/relaxation/cost_of_distance.h"
 #include "nanocarbon/relaxation/geometry_check.h"
 #include "nanocarbon/relaxation/minimise_rebo2.h"
 #include "nanocarbon/relaxation/refine_network.h"
 #include "nanocarbon/relaxation/spring_back.h"
+#include "nanocarbon/relaxation/start_choice.h"
+#include "nanocarbon/relaxation/surface_fit.h"
 
 namespace nanocarbon {
 
@@ -24,7 +25,8 @@ namespace {
 // so that it can buckle where that is cheaper, and by all that is asked beyond.
 constexpr double kRefinedTether = 0.2;
 
-// Annealing at full size hardly ever leaves less than this of a start's energy above graphene.
+// Annealing at full size hardly ever leaves less than this of a start's energy above graphene, or of its
+// distance to the surface.
 constexpr double kLeastLeft = 0.75;
 
 constexpr int kMendings = 2;
@@ -32,7 +34,7 @@ constexpr int kMendings = 2;
 // An annealed molecule at full size, and what it is once it is let go.
 struct Candidate {
   AnnealingLevel level;
-  SpringBack rest;
+  Released rest;
   int refinements = 0;
 };
 
@@ -99,28 +101,27 @@ class Recipe {
       CoarseStarts starts(surface_, atoms_, refinements, triangulate_, options_);
       while (starts.left()) {
         auto candidate = refined_candidate(starts.next(), refinements, direct.unannealed);
-        if (candidate && (!best || cost(candidate->rest) < cost(best->rest))) best = std::move(candidate);
+        if (candidate && (!best || is_better(candidate->rest, best->rest))) best = std::move(candidate);
       }
-      if (best && best->rest.mean_distance < distance_for_nothing(options_.tether)) break;
+      if (best && is_near(best->rest, options_.tether)) break;
     }
     if (best && !may_become_better(direct, *best)) return *std::move(best);
     anneal_level(direct, TetherSurface(surface_, 1),
                  told(full_size_schedule(atoms_, !best, options_), "annealing"));
     Candidate candidate = released(std::move(direct), 0);
-    if (best && (!holds(candidate.level) || cost(best->rest) <= cost(candidate.rest)))
-      return *std::move(best);
+    if (best && (!holds(candidate.level) || !is_better(candidate.rest, best->rest))) return *std::move(best);
     return candidate;
   }
 
   bool may_become_better(const AnnealingLevel& direct, const Candidate& best) const {
-    SpringBack least = spring_back(direct.state, TetherSurface(surface_, 1), !options_.keep_size);
+    Released least = spring_back(direct.state, TetherSurface(surface_, 1), !options_.keep_size);
     least.energy = graphene_energy + kLeastLeft * (least.energy - graphene_energy);
-    least.mean_distance = 0;
-    return cost(least) < cost(best.rest);
+    least.mean_distance *= kLeastLeft;
+    return is_better(least, best.rest);
   }
 
-  double cost(const SpringBack& rest) const {
-    return cost_of(rest.energy, rest.mean_distance, options_.tether);
+  bool is_better(const Released& one, const Released& other) const {
+    return nanocarbon::is_better(one, other, options_.tether);
   }
 
   double refined_tether() const {
@@ -128,7 +129,7 @@ class Recipe {
   }
 
   Candidate released(AnnealingLevel level, int refinements) const {
-    SpringBack rest = spring_back(level.state, TetherSurface(surface_, 1), !options_.keep_size);
+    Released rest = spring_back(level.state, TetherSurface(surface_, 1), !options_.keep_size);
     return {std::move(level), std::move(rest), refinements};
   }
 
@@ -169,7 +170,7 @@ class Recipe {
     for (int attempt = 0; attempt <= kMendings && !result.intact; ++attempt) {
       if (attempt > 0) {
         level.sound = false;
-        mend_level(level, TetherSurface(surface_, 1), cold_schedule(atoms_, options_));
+        mend_level(level, TetherSurface(surface_, 1), schedule_for(atoms_, options_));
       }
       // Without the tether, still on fixed bonds: the way to the minimum may stretch bonds that the end does
       // not. For the rest of the way the full potential is as safe and faster; where it was not, again.

@@ -11,10 +11,10 @@
 
 namespace nanocarbon {
 
-//! How much time may be spent on a molecule. CPU on one core, for each atom of 200 to 10,000.
+//! How much time may be spent on a molecule. CPU on one core, for each atom.
 enum class AnnealQuality {
   draft,  //!< dual relaxation alone, below 1 ms
-  good,   //!< defects annealed, below 20 ms
+  good,   //!< defects annealed, 8 to 20 ms, up to 40 below 500 atoms
   best    //!< several attempts and slower cooling, below 100 ms
 };
 
@@ -65,10 +65,10 @@ struct AnnealResult {
 //!
 //! Triangulates the surface and relaxes the dual. Anneals at a sixteenth and a quarter of the atoms and
 //! refines step by step, where the shape still shows with so few; anneals at full size, too, where that may
-//! be better. Takes the molecule with the least energy once it is let go, at a price for more than 1 Angstrom
-//! of mean distance to the surface. Then minimises the full potential without a tether; where REBO2 would see
-//! other bonds than the molecule's, mends the place first. In the end the molecule is moved to where it fits
-//! the surface best.
+//! be better. Takes the molecule with the least energy once it is let go of those within 1 Angstrom of the
+//! surface in the mean; where there is none, at a price for distance (start_choice.h). Then minimises the
+//! full potential without a tether; where REBO2 would see other bonds than the molecule's, mends the place
+//! first. In the end the molecule is moved to where it fits the surface best.
 //!
 //! \param surface Angstrom; a sound oriented 2-manifold, with or without border
 //! \param atoms wanted; met within one percent where the surface allows

@@ -9,7 +9,7 @@ namespace nanocarbon {
 //! A molecule in the making at one number of atoms, on the surface as large as fits that number.
 struct AnnealingLevel {
   SwitchingState state;
-  double unannealed = 0;     //!< eV for each atom, with tether, before any bond was switched
+  double unannealed = 0;     //!< eV for each atom, without tether, before any bond was switched
   double mean_distance = 0;  //!< of the atoms to the surface, Angstrom
   std::size_t accepted = 0;  //!< bond switches
   bool sound = false;        //!< REBO2 would see the bonds that are meant; as of relax_level()

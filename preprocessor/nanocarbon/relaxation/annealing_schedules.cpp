@@ -19,17 +19,17 @@ int refinements_for(std::size_t atoms, AnnealQuality quality) {
   return levels;
 }
 
-BondSwitchingOptions cold_schedule(std::size_t atoms, const AnnealOptions& options) {
-  BondSwitchingOptions cold;
-  cold.target_atoms = atoms;
-  cold.seed = options.seed;
-  cold.threads = options.threads;
-  cold.hot = cold.cold = 0.2;
-  return cold;
+BondSwitchingOptions schedule_for(std::size_t atoms, const AnnealOptions& options) {
+  BondSwitchingOptions schedule;
+  schedule.target_atoms = atoms;
+  schedule.seed = options.seed;
+  schedule.threads = options.threads;
+  schedule.cold = 0.2;
+  return schedule;
 }
 
 BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, const AnnealOptions& options) {
-  BondSwitchingOptions hot = cold_schedule(atoms, options);
+  BondSwitchingOptions hot = schedule_for(atoms, options);
   at_length = at_length && atoms >= kTiny;
   hot.hot = at_length ? 0.6 : 0.5;
   hot.blocks = at_length ? 36 : 24;
@@ -39,7 +39,7 @@ BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, const Annea
 // Cooling from where defects just begin to move freely: a crystal's order over long ranges survives it. Small
 // molecules have none to lose.
 BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone, const AnnealOptions& options) {
-  BondSwitchingOptions single = cold_schedule(atoms, options);
+  BondSwitchingOptions single = schedule_for(atoms, options);
   single.hot = 0.35;
   single.blocks = 12;
   if (alone && atoms < kSmall)
@@ -49,7 +49,7 @@ BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone, const Ann
 }
 
 BondSwitchingOptions refined_schedule(std::size_t atoms, const AnnealOptions& options) {
-  BondSwitchingOptions refined = cold_schedule(atoms, options);
+  BondSwitchingOptions refined = schedule_for(atoms, options);
   refined.hot = 0.35;
   refined.blocks = options.quality == AnnealQuality::best ? 16 : 8;
   refined.trials_per_defect = 60;

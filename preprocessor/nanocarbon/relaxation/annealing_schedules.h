@@ -11,10 +11,11 @@ namespace nanocarbon {
 //! draft, which does not anneal.
 int refinements_for(std::size_t atoms, AnnealQuality quality);
 
-//! Cold: for mending what is wrong at a few places.
-BondSwitchingOptions cold_schedule(std::size_t atoms, const AnnealOptions& options);
+//! What all schedules have in common: number of atoms, seed, threads, and how cold they end.
+BondSwitchingOptions schedule_for(std::size_t atoms, const AnnealOptions& options);
 
 //! From where defects move freely: for molecules small enough, or coarse levels of larger ones.
+//! \param at_length hotter and more slowly, but for the smallest
 BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, const AnnealOptions& options);
 
 //! For a start at full size. \param alone no refined start has come about

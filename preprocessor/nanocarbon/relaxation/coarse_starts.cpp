@@ -19,8 +19,9 @@ constexpr double kCoarseDistance = 3, kLostAtStart = 8, kLostInTheEnd = 10;
 // Where so much is lost the next start will lose too much as well.
 constexpr double kLostForGood = 12;
 
-// A start with more energy than this above graphene, eV an atom, is bent so sharply that annealing, which
-// takes longest there, leaves bonds that do not hold. C60 has 0.55, C240 0.20.
+// At a sixteenth of the atoms, a start with more energy than this above graphene, eV an atom, is not annealed
+// but for the best quality: bent (or open) so much, annealing takes long and hardly ever leaves something
+// that holds and shows the shape. C60 has 0.55, C240 0.20.
 constexpr double kMostBent = 0.35;
 
 }  // namespace
@@ -63,14 +64,18 @@ std::optional<AnnealingLevel> CoarseStarts::triangulated() const {
   }
 }
 
+bool CoarseStarts::too_bent(const AnnealingLevel& level) const {
+  return refinements_ > 1 && options_.quality != AnnealQuality::best &&
+         level.unannealed > graphene_energy + kMostBent;
+}
+
 std::optional<AnnealingLevel> CoarseStarts::annealed() {
   std::optional<AnnealingLevel> level = triangulated();
   if (!level) return {};
   const TetherSurface tether_surface(surface_, 1);
   relax_level(*level, tether_surface);
-  if (level->mean_distance > kCoarseDistance * scale() || level->unannealed > graphene_energy + kMostBent ||
-      lost_reach(*level, surface_) > kLostAtStart * scale())
-    return {};
+  const bool near = level->mean_distance < kCoarseDistance * scale();
+  if (!near || too_bent(*level) || !(lost_reach(*level, surface_) < kLostAtStart * scale())) return {};
   BondSwitchingOptions hot = hot_schedule(atoms_, true, options_);
   hot.seed += 1000 * static_cast<std::uint64_t>(attempt_);
   hot.progress = [&](int block, double, std::size_t, std::size_t) {
@@ -81,7 +86,7 @@ std::optional<AnnealingLevel> CoarseStarts::annealed() {
   ++annealed_;
   const double lost = lost_reach(*level, surface_);
   lost_for_good_ = lost > kLostForGood * scale();
-  if (lost > kLostInTheEnd * scale() || !holds(*level)) return {};
+  if (!(lost < kLostInTheEnd * scale()) || !holds(*level)) return {};
   return level;
 }
 

@@ -12,7 +12,8 @@ namespace nanocarbon {
 //! \details On the surface at the scale of so few atoms: a coarse sheet is the stiffer one for its size, so
 //! that it is held to the surface more than asked for, and thin parts are made wide enough for it where it
 //! fails without. Each start has a seed of its own. Of no use are those from too few atoms for the topology,
-//! those that leave out or lose parts of the shape, and those that overstretch a bond.
+//! those far from the surface, those that leave out or lose parts of the shape, those that overstretch a
+//! bond, and at a sixteenth of the atoms those bent so sharply that annealing takes too long.
 class CoarseStarts {
  public:
   //! \param surface Angstrom at full size \param atoms at full size \param refinements quarterings, from 1
@@ -23,13 +24,14 @@ class CoarseStarts {
   //! use.
   bool left() const { return attempt_ < attempts_ && annealed_ < attempts_ && !lost_for_good_; }
 
-  //! The next one, annealed. Nothing where it is of no use.
+  //! The next one, annealed. Nothing where it is of no use. \pre left()
   std::optional<AnnealingLevel> next();
 
  private:
   double scale() const { return std::ldexp(1.0, -refinements_); }
   bool make_room();
   std::optional<AnnealingLevel> triangulated() const;
+  bool too_bent(const AnnealingLevel& level) const;
   std::optional<AnnealingLevel> annealed();
 
   TriangleMesh surface_;  // at the scale of the level

@@ -21,7 +21,7 @@ struct CrystalOptions {
   std::size_t faces = 10000;  //!< triangles wanted, one for each atom
   std::uint64_t seed = 1;
   CrystalQuality quality = CrystalQuality::good;
-  //! Seeds that are tried until one leaves no fold or wrong valence; the least troubled one is kept.
+  //! Seeds that are tried until one leaves no fold or wrong valence; the least troubled one is kept. From 1.
   int attempts = 3;
   //! Called now and then with what is going on and the share of the work done, 0 to 1.
   std::function<void(std::string_view stage, double share)> progress = {};
