@@ -94,9 +94,8 @@ void write_outputs(const BuildCommand& command, const BuildResult& result,
 }
 
 std::string what_the_proof_lacks(const Certificate& certificate) {
-  constexpr double tolerance = 1e-6;  // eV/Angstrom, of Certificate::minimum()
   std::vector<std::string> lacks;
-  if (certificate.max_force >= tolerance)
+  if (certificate.max_force >= certified_force)
     lacks.push_back(fmt::format("a force of {:.1e} eV/A is left", certificate.max_force));
   if (!certificate.eigenvalues.empty() && certificate.eigenvalues.front() <= certificate.uncertainty)
     lacks.push_back(fmt::format("the Hessian's smallest eigenvalue is {:.1e} eV/A^2, known to {:.1e}",

@@ -157,7 +157,7 @@ void require_bonds_that_hold(const BuildResult& result, const BuildOptions& opti
 // Goes on to the minimum, which may be far from where annealing was asked to stop.
 void certify_annealed(BuildResult& result, const BuildOptions& options) {
   const Certificate certificate =
-      certify(result.molecule, {.force_tolerance = std::min(1e-6, options.force_tolerance)});
+      certify(result.molecule, {.force_tolerance = std::min(certified_force, options.force_tolerance)});
   AnnealResult& annealed = *result.annealed;
   annealed.energy = certificate.energy / static_cast<double>(result.molecule.size());
   annealed.max_force = certificate.max_force;

@@ -6,8 +6,11 @@
 
 namespace nanocarbon {
 
+//! Largest force that a certificate leaves, eV/Angstrom.
+inline constexpr double certified_force = 1e-6;
+
 struct CertificateOptions {
-  double force_tolerance = 1e-6;  //!< eV/Angstrom; the molecule is minimised down to it first
+  double force_tolerance = certified_force;  //!< eV/Angstrom; the molecule is minimised down to it first
   int eigenvalues = 3;
   int pushes = 5;  //!< off a saddle, at most
 };
@@ -23,7 +26,7 @@ struct Certificate {
   int pushes = 0;                   //!< saddles that minimisation had ended at and that were left
 
   //! A minimum: at rest, and every deformation costs energy.
-  bool minimum(double force_tolerance = 1e-6) const {
+  bool minimum(double force_tolerance = certified_force) const {
     return complete && max_force < force_tolerance && !eigenvalues.empty() &&
            eigenvalues.front() > uncertainty;
   }
