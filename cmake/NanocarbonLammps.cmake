@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Finds the LAMMPS to build the plugin for, as the target nanocarbon_lammps_headers (headers, MPI and definitions), and
 # its version as NANOCARBON_LAMMPS_VERSION (20210929) and NANOCARBON_LAMMPS_DATE (29 Sep 2021).
 #

@@ -1,8 +1,10 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # What a builder may choose, and the settings every target shares.
 option(NANOCARBON_PREPROCESSOR "Build the program and all of its library; OFF: the LAMMPS plugin and what it needs alone" ON)
 option(NANOCARBON_PLUGIN "Build the LAMMPS plugin (needs LAMMPS headers or source, and MPI)" ON)
 option(NANOCARBON_BENCHMARKS "Build the benchmark programs (needs Google Benchmark)" ON)
 option(NANOCARBON_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+option(NANOCARBON_PRECOMPILE "Precompile the headers of other libraries: builds in about half the time" ON)
 option(NANOCARBON_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -20,6 +22,11 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 # Carried by every target of the project, not exported with the installed library.
 add_library(nanocarbon_settings INTERFACE)
 target_compile_options(nanocarbon_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+# GCC 12 warns of strings that the standard library moves: wrongly, and only where headers are precompiled.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(nanocarbon_settings INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
+                         -Wno-stringop-overread)
+endif()
 if(NANOCARBON_WARNINGS_AS_ERRORS)
   target_compile_options(nanocarbon_settings INTERFACE -Werror)
 endif()
@@ -28,3 +35,30 @@ if(NANOCARBON_SANITIZE)
                          -fno-omit-frame-pointer)
   target_link_options(nanocarbon_settings INTERFACE -fsanitize=address,undefined)
 endif()
+
+# nanocarbon_precompiled(<target> <headers>) lets a target use headers that are precompiled once:
+# nanocarbon_headers (the standard library and Eigen) or nanocarbon_test_headers (GoogleTest as well).
+function(nanocarbon_precompiled target headers)
+  if(TARGET ${headers})
+    target_precompile_headers(${target} REUSE_FROM ${headers})
+  endif()
+endfunction()
+
+# nanocarbon_precompile(<name> [EXECUTABLES] LINKS <libraries...> HEADERS <headers...>) makes such a set, for
+# libraries or for executables, which are compiled by other options.
+function(nanocarbon_precompile name)
+  if(NOT NANOCARBON_PRECOMPILE)
+    return()
+  endif()
+  cmake_parse_arguments(SET "EXECUTABLES" "" "LINKS;HEADERS" ${ARGN})
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "// Does nothing: its target holds precompiled headers.\nint main() {}\n")
+  if(SET_EXECUTABLES)
+    add_executable(${name} ${source})
+  else()
+    add_library(${name} OBJECT ${source})
+  endif()
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_link_libraries(${name} PRIVATE ${SET_LINKS} nanocarbon_settings)
+  target_precompile_headers(${name} PRIVATE ${SET_HEADERS})
+endfunction()

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # nanocarbon_room(<name> SOURCES <files...> [LINKS <public libraries...>] [PRIVATE_LINKS <libraries...>])
 #
 # A room is one folder of preprocessor/nanocarbon and one static library, nanocarbon::<name>. What it may include is
@@ -14,5 +15,8 @@ function(nanocarbon_room name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(nanocarbon_${name} PUBLIC ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS}
                         $<BUILD_INTERFACE:nanocarbon_settings>)
+  if(NOT "OpenMP::OpenMP_CXX" IN_LIST ROOM_PRIVATE_LINKS)  # compiled by other options than the headers
+    nanocarbon_precompiled(nanocarbon_${name} nanocarbon_headers)
+  endif()
   set_property(GLOBAL APPEND PROPERTY NANOCARBON_ROOMS nanocarbon_${name})
 endfunction()

@@ -1,9 +1,13 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # nanocarbon_test(<room>/<unit> [SOURCES <files...>] LINKS <libraries...> [LABEL <label>] [TIMEOUT <seconds>])
 #
 # One GoogleTest program for tests/<room>/<unit>_test.cpp; every TEST in it becomes a ctest test. Labels in use:
 # "slow" (left out under the sanitizers), "lammps" (needs a LAMMPS library), "lammps-slow" (both).
 find_package(GTest REQUIRED)
 include(GoogleTest)
+nanocarbon_precompile(nanocarbon_test_headers EXECUTABLES LINKS Eigen3::Eigen GTest::gmock GTest::gtest
+  HEADERS <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <fstream> <functional>
+          <optional> <span> <string> <vector>)
 
 function(nanocarbon_test path)
   cmake_parse_arguments(TEST "" "TIMEOUT;LABEL" "SOURCES;LINKS" ${ARGN})
@@ -12,6 +16,7 @@ function(nanocarbon_test path)
   add_executable(${program} ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp ${TEST_SOURCES})
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${program} PRIVATE ${TEST_LINKS} nanocarbon_settings GTest::gmock GTest::gtest_main)
+  nanocarbon_precompiled(${program} nanocarbon_test_headers)
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 300)
   endif()

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bond_topology.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ void FixBondTopology::setup(int) {
   check_reach();
   if (!started_) begin();
   // At steps that are not looked at, only atoms that have gone since the last run make a look needed, so that
-  // a run in pieces sees what the same run in one piece does.
+  // a run in components sees what the same run in one component does.
   const bool due = update->ntimestep % nevery == 0;
   if (due || tally({})[2] != adopted_atoms_) {
     look_at_bonds();
@@ -187,12 +188,12 @@ void FixBondTopology::begin_afresh() {
 }
 
 void FixBondTopology::begin_from_restart() {
-  const std::vector<BondedIds>& bonds = restart_->bonds;
+  const std::vector<topology::BondedIds>& bonds = restart_->bonds;
   for (int i = 0; i < atom->nlocal; ++i) {
     Partners& partners = storage_.partners[i];
     partners.count = 0;
     if (storage_.ids[i] == 0) continue;
-    auto bond = std::lower_bound(bonds.begin(), bonds.end(), BondedIds{storage_.ids[i], 0});
+    auto bond = std::lower_bound(bonds.begin(), bonds.end(), topology::BondedIds{storage_.ids[i], 0});
     for (; bond != bonds.end() && bond->first == storage_.ids[i]; ++bond) partners.add(bond->second);
   }
   if (is_root()) watch_->start = start_watch(restart_->start, options_.topology);

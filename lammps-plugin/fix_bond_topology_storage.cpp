@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief The rest of fix bond/topology's interface to LAMMPS: what moves with atoms, restart files,
 //! settings, pictures.

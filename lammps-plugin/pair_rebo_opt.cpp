@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "pair_rebo_opt.h"
 
 #include <mpi.h>
@@ -12,8 +13,8 @@
 #include "force.h"
 #include "memory.h"
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/rebo2/parameter_file.h"
-#include "nanocarbon/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/parameter_file.h"
+#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "update.h"
@@ -63,13 +64,13 @@ void PairReboOpt::settings(int narg, char**) {
   if (narg != 0) error->all(FLERR, std::string("Illegal pair_style command: rebo/opt takes no arguments"));
 }
 
-Rebo2Parameters PairReboOpt::read_parameters(const char* file) const {
-  Rebo2Parameters parameters = rebo2_parameters();
+rebo2::Rebo2Parameters PairReboOpt::read_parameters(const char* file) const {
+  rebo2::Rebo2Parameters parameters = rebo2::rebo2_parameters();
   if (comm->me == 0) {
     std::string path = utils::get_potential_file_path(file);
     if (path.empty()) path = file;
     try {
-      parameters = read_rebo2_parameters(path);
+      parameters = rebo2::read_rebo2_parameters(path);
     } catch (const UserError& failure) {
       error->one(FLERR, std::string("pair_coeff rebo/opt: ") + failure.what());
     }
@@ -99,9 +100,9 @@ void PairReboOpt::coeff(int narg, char** arg) {
   }
   parameters_ = read_parameters(arg[2]);
   longest_bond_ = 0.0;
-  for (const PairParameters& pair : parameters_.pairs)
+  for (const rebo2::PairParameters& pair : parameters_.pairs)
     longest_bond_ = std::max(longest_bond_, pair.cutoff_end);
-  evaluation_ = std::make_unique<MixedEvaluation>(parameters_, *usable_sp2_kernels().front());
+  evaluation_ = std::make_unique<rebo2::MixedEvaluation>(parameters_, *rebo2::usable_sp2_kernels().front());
   listed_positions_.clear();
 
   int pairs = 0;
@@ -125,7 +126,7 @@ void PairReboOpt::init_style() {
 double PairReboOpt::init_one(int i, int j) {
   if (setflag[i][j] == 0) error->all(FLERR, std::string("All pair coeffs are not set"));
   const auto element = [&](int type) { return static_cast<Element>(element_of_type_[type]); };
-  cutghost[i][j] = cutghost[j][i] = parameters_.pairs[pair_index(element(i), element(j))].cutoff_end;
+  cutghost[i][j] = cutghost[j][i] = parameters_.pairs[rebo2::pair_index(element(i), element(j))].cutoff_end;
   // How far an atom feels forces: three bonds, as of rebo. It decides which atoms there are ghosts of.
   return 3.0 * longest_bond_;
 }
@@ -208,12 +209,13 @@ void PairReboOpt::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (!near_pairs_are_good()) find_near_pairs();
   const auto own = static_cast<std::uint32_t>(atom->nlocal);
-  const AtomsView atoms = {atom->x[0], elements_.data(), own, own + static_cast<std::uint32_t>(atom->nghost)};
-  AtomShares shares;
+  const potential::AtomsView atoms = {atom->x[0], elements_.data(), own,
+                                      own + static_cast<std::uint32_t>(atom->nghost)};
+  potential::AtomShares shares;
   if (eflag_atom) shares.energies = eatom;
   const bool needs_virials = vflag_atom || (vflag_global && !vflag_fdotr);
   if (needs_virials) {
-    virials_.assign(atoms.all, Virial{});
+    virials_.assign(atoms.all, potential::Virial{});
     shares.virials = virials_.data();
   }
   const double energy = evaluation_->evaluate(atoms, near_, atom->f[0], shares).total();

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "nanocarbon/rebo2/mixed_evaluation.h"
-#include "nanocarbon/rebo2/near_pairs.h"
+#include "nanocarbon/potential/near_pairs.h"
+#include "nanocarbon/potential/rebo2/mixed_evaluation.h"
 #include "pair.h"
 
 namespace nanocarbon {
@@ -28,21 +29,21 @@ class PairReboOpt : public LAMMPS_NS::Pair {
 
  private:
   void allocate();
-  Rebo2Parameters read_parameters(const char* file) const;
+  rebo2::Rebo2Parameters read_parameters(const char* file) const;
   bool near_pairs_are_good() const;
   void find_near_pairs();
   void refuse_missing_neighbours() const;
   void add_virials();
 
   std::vector<int> element_of_type_;  // Element, or -1 for NULL
-  Rebo2Parameters parameters_;
+  rebo2::Rebo2Parameters parameters_;
   double longest_bond_ = 0.0;  // Angstrom
-  std::unique_ptr<MixedEvaluation> evaluation_;
+  std::unique_ptr<rebo2::MixedEvaluation> evaluation_;
 
-  NearPairs near_;
+  potential::NearPairs near_;
   std::vector<Element> elements_;         // own and ghost atoms
   std::vector<double> listed_positions_;  // where these were when near_ was made
-  std::vector<Virial> virials_;
+  std::vector<potential::Virial> virials_;
 };
 
 }  // namespace nanocarbon

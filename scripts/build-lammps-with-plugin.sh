@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Builds the LAMMPS of this system's own source package again, with its PLUGIN package, which Debian leaves out, and
 # prints the path of its lmp program on the last line. Built once, kept in ~/.cache/nanocarbon (or XDG_CACHE_HOME).
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # From a mesh to a verdict: installs what is missing, builds, makes a molecule, runs it in LAMMPS with REBO2.
 #
 #   scripts/demo.sh [MESH] [BUILD OPTIONS...]     e.g. scripts/demo.sh bunny.off --atoms 5000
@@ -10,7 +11,7 @@ started_in=$PWD
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
 
-case "${1:-}" in -h | --help) sed -n 's/^# \{0,1\}//p' scripts/demo.sh | sed 1d; exit ;; esac
+case "${1:-}" in -h | --help) sed -n 's/^# \{0,1\}//p' scripts/demo.sh | sed 1,2d; exit ;; esac
 mesh=examples/meshes/torus.off
 if [ $# -gt 0 ]; then
   mesh=$1

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Sourced by the other scripts: install_missing PACKAGE... installs by apt what is not there yet, through sudo
 # when not root, and does nothing when nothing is missing.
 

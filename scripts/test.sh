@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Installs what is missing, builds, and runs every test. Options are passed on to ctest (-R NAME, -LE slow, ...).
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // From a mesh to a molecule and its energy, by the library.
 //
 //   from_mesh_to_molecule MESH ATOMS OUT.data
@@ -6,34 +7,34 @@
 
 #include "nanocarbon/building/build_molecule.h"
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/mesh/surface.h"
-#include "nanocarbon/molecule/lammps_data.h"
-#include "nanocarbon/rebo2/rebo2.h"
+#include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/potential/rebo2/rebo2.h"
 #include "nanocarbon/structures/fullerene.h"
 
 using namespace nanocarbon;
 
 // eV for each atom, as LAMMPS's pair_style rebo has it.
 static double energy_per_atom(const Molecule& molecule) {
-  Rebo2 rebo2;
-  const Rebo2Result& result = rebo2.evaluate(molecule.positions, molecule.elements);
+  rebo2::Rebo2 rebo2;
+  const rebo2::Rebo2Result& result = rebo2.evaluate(molecule.positions, molecule.elements);
   return result.energy / static_cast<double>(molecule.size());
 }
 
 static void run(const char* mesh, std::size_t atoms, const char* output) {
-  const LoadedSurface surface = load_surface(mesh);  // read, checked, mended
+  const mesh::LoadedSurface surface = mesh::load_surface(mesh);  // read, checked, mended
   for (const std::string& repair : surface.repairs) std::cerr << "note: " << repair << '\n';
 
-  BuildOptions options;
-  options.size = AtomCount{atoms};
-  options.quality = AnnealQuality::draft;
-  const BuildResult result = build_molecule(surface.mesh, options);
+  building::BuildOptions options;
+  options.size = building::AtomCount{atoms};
+  options.quality = Quality::draft;
+  const building::BuildResult result = building::build_molecule(surface.mesh, options);
 
   std::cout << result.molecule.size() << " atoms, " << result.molecule.bonds.size() << " bonds, "
             << result.molecule.rings.size() << " rings\n"
             << energy_per_atom(result.molecule) << " eV/atom; C60 as made has "
-            << energy_per_atom(fullerene(1, 1)) << '\n';
-  write_lammps_data(output, result.molecule, {.atom_style = AtomStyle::molecular});
+            << energy_per_atom(structures::fullerene(1, 1)) << '\n';
+  molecule::write_lammps_data(output, result.molecule, {.atom_style = molecule::AtomStyle::molecular});
 }
 
 int main(int argc, char** argv) {

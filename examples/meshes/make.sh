@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Makes the example meshes again: the shapes beside this file, each with the nanocarbon program.
 #
 #   examples/meshes/make.sh [FOLDER]    writes to FOLDER (default: beside this file)

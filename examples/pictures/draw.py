@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Draws molecules, and the meshes they were made from, side by side, by LAMMPS.
 
     draw.py OUT.png FILE... [--theta T] [--phi P] [--up "X Y Z"] [--zoom Z] [--pixels N]

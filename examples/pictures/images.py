@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Small, smooth PNGs from the large PPMs that LAMMPS draws: halved, cropped, put side by side, few colours."""
 
 import struct

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Makes known structures, relaxes them in LAMMPS with REBO2, and prints their energies beside the known ones.
 #
 #   examples/structures/run.sh [FOLDER]    files go to FOLDER (default: out/structures)

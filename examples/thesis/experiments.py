@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Chapter 5 of the thesis, run again: see README.md and run.sh beside this file."""
 
 import argparse

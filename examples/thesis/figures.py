@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Figures like 5.1 to 5.5 of the thesis, drawn by LAMMPS from the runs that were made."""
 
 import sys

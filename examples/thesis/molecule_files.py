@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What the experiments read from LAMMPS's files: bonds of a data file, the last frame of a trajectory."""
 
 import math

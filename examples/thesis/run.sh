@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # The experiments of chapter 5 of the thesis, run again.
 #
 #   examples/thesis/run.sh MODELS_FOLDER [--short] [--out DIR] [--jobs N] [--only PART] [--page]

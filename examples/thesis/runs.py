@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The programs that the experiments call, each call made once: what is up to date is not made again."""
 
 import json

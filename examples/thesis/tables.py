@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The tables of README.md, from the rows of the experiments."""
 
 import re

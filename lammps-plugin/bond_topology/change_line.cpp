@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "bond_topology/change_line.h"
 
 #include <algorithm>
@@ -10,9 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json list(const std::vector<BondedIds>& bonds) {
+Json list(const std::vector<topology::BondedIds>& bonds) {
   Json result = Json::array();
-  for (const BondedIds& bond : bonds) result.push_back({bond.first, bond.second});
+  for (const topology::BondedIds& bond : bonds) result.push_back({bond.first, bond.second});
   return result;
 }
 
@@ -24,8 +25,8 @@ std::vector<Item> without(const std::vector<Item>& items, const std::vector<Item
   return result;
 }
 
-void add_topology(Json& line, const SurfaceTopology& topology) {
-  line["pieces"] = topology.pieces.size();
+void add_topology(Json& line, const topology::SurfaceTopology& topology) {
+  line["pieces"] = topology.components.size();
   if (topology.problem) {
     line["surface"] = false;
     return;
@@ -41,11 +42,11 @@ void add_topology(Json& line, const SurfaceTopology& topology) {
   line["rings"] = rings;
 }
 
-std::uint32_t rings_of(const SurfaceTopology& topology, std::size_t size) {
+std::uint32_t rings_of(const topology::SurfaceTopology& topology, std::size_t size) {
   return size < topology.ring_counts.size() ? topology.ring_counts[size] : 0;
 }
 
-std::uint32_t other_rings(const SurfaceTopology& topology) {
+std::uint32_t other_rings(const topology::SurfaceTopology& topology) {
   std::uint32_t count = 0;
   for (std::size_t size = 0; size < topology.ring_counts.size(); ++size)
     if (size < 5 || size > 7) count += topology.ring_counts[size];
@@ -84,12 +85,12 @@ std::string change_line(const SimulationTime& when, const WatchReport& before, c
 }
 
 WatchFigures figures(const WatchReport& report) {
-  const SurfaceTopology& topology = report.topology;
+  const topology::SurfaceTopology& topology = report.topology;
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto of_surface = [&](double value) { return topology.problem ? unknown : value; };
   return {static_cast<double>(report.verdict),
           {static_cast<double>(report.repelled.size()), static_cast<double>(report.changes.broken.size()),
-           static_cast<double>(report.changes.formed.size()), static_cast<double>(topology.pieces.size()),
+           static_cast<double>(report.changes.formed.size()), static_cast<double>(topology.components.size()),
            of_surface(topology.euler_characteristic), of_surface(topology.genus),
            of_surface(topology.boundary_loops), of_surface(rings_of(topology, 5)),
            of_surface(rings_of(topology, 6)), of_surface(rings_of(topology, 7)),
@@ -97,7 +98,7 @@ WatchFigures figures(const WatchReport& report) {
 }
 
 std::string summary(const std::string& title, const SimulationTime& when, const WatchReport& report) {
-  const SurfaceTopology& topology = report.topology;
+  const topology::SurfaceTopology& topology = report.topology;
   std::string text =
       title + ": " + std::string(name(report.verdict)) + " at step " + std::to_string(when.step);
   if (!report.reason.empty()) text.append(" (").append(report.reason).append(")");
@@ -105,7 +106,8 @@ std::string summary(const std::string& title, const SimulationTime& when, const 
           std::to_string(report.changes.formed.size()) + " formed, " +
           counted(report.repelled.size(), "atom") + " repelled, " + std::to_string(report.lost.size()) +
           " of them lost\n";
-  text += "  now: " + counted(report.bonds.size(), "bond") + ", " + counted(topology.pieces.size(), "piece");
+  text +=
+      "  now: " + counted(report.bonds.size(), "bond") + ", " + counted(topology.components.size(), "piece");
   if (topology.problem) {
     text += ", no surface\n";
     return text;

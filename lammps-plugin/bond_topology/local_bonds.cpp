@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "bond_topology/local_bonds.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ Vec3 position(const RankAtoms& atoms, int atom) {
 
 Element element(const RankAtoms& atoms, int atom) { return atoms.element_of_type[atoms.types[atom]]; }
 
-double widest(const BondDistances& distances) {
+double widest(const topology::BondDistances& distances) {
   return std::max({distances.carbon_carbon.breaking, distances.carbon_hydrogen.breaking,
                    distances.hydrogen_hydrogen.breaking});
 }
@@ -28,8 +29,8 @@ bool kept_here(std::int64_t id, std::int64_t other, const Vec3& towards) {
 }
 
 double squared_reach(const RankAtoms& atoms, int atom, int other, bool before,
-                     const BondDistances& distances) {
-  const BondWindow& window = distances.of(element(atoms, atom), element(atoms, other));
+                     const topology::BondDistances& distances) {
+  const topology::BondWindow& window = distances.of(element(atoms, atom), element(atoms, other));
   const double reach = before ? window.breaking : window.form;
   return reach * reach;
 }
@@ -54,7 +55,7 @@ std::uint64_t hash_of(std::int64_t first, std::int64_t second, bool bonded) {
 // Of one atom: its neighbours that are bonded, the nearest first where an ID is near several times, then the
 // others that could bond.
 void add_candidates(int atom, const std::vector<Near>& near, const Partners& partners, const RankAtoms& atoms,
-                    const BondDistances& distances, double skin, CandidateBonds& candidates) {
+                    const topology::BondDistances& distances, double skin, CandidateBonds& candidates) {
   std::array<bool, Partners::most> met = {};
   for (const Near& other : near) {
     bool bonded = false;
@@ -72,7 +73,7 @@ void add_candidates(int atom, const std::vector<Near>& near, const Partners& par
 }  // namespace
 
 CandidateBonds find_candidates(const RankAtoms& atoms, std::span<const Partners> partners,
-                               const BondDistances& distances, double skin) {
+                               const topology::BondDistances& distances, double skin) {
   std::vector<int> watched;
   std::vector<Vec3> places;
   for (int atom = 0; atom < atoms.all; ++atom) {
@@ -104,7 +105,7 @@ CandidateBonds find_candidates(const RankAtoms& atoms, std::span<const Partners>
 
 LocalChanges look(CandidateBonds& candidates, const RankAtoms& atoms) {
   LocalChanges changes;
-  for (const BondedIds& bond : candidates.parted) {
+  for (const topology::BondedIds& bond : candidates.parted) {
     ++changes.count;
     changes.hash += hash_of(bond.first, bond.second, false);
   }
@@ -117,7 +118,7 @@ LocalChanges look(CandidateBonds& candidates, const RankAtoms& atoms) {
   return changes;
 }
 
-void adopt(CandidateBonds& candidates, const RankAtoms& atoms, const BondDistances& distances,
+void adopt(CandidateBonds& candidates, const RankAtoms& atoms, const topology::BondDistances& distances,
            std::span<Partners> partners) {
   for (int atom = 0; atom < atoms.owned; ++atom) partners[atom].count = 0;
   for (CandidateBond& pair : candidates.pairs) {

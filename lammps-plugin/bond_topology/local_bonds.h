@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <array>
@@ -5,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "nanocarbon/molecule/bond_graph.h"
+#include "nanocarbon/topology/bond_graph.h"
 
 namespace nanocarbon {
 
@@ -43,14 +44,14 @@ struct CandidateBond {
 
 struct CandidateBonds {
   std::vector<CandidateBond> pairs;
-  std::vector<BondedIds> parted;  //!< bonded before, but no longer in reach: broken
+  std::vector<topology::BondedIds> parted;  //!< bonded before, but no longer in reach: broken
 };
 
 //! \brief Finds the pairs to look at until the next reneighbouring. `now` starts as `before`.
 //! \param skin how much nearer two atoms may come before that, Angstrom
 //! \pre ghosts reach as far as the longest bond's breaking distance and the skin
 CandidateBonds find_candidates(const RankAtoms& atoms, std::span<const Partners> partners,
-                               const BondDistances& distances, double skin);
+                               const topology::BondDistances& distances, double skin);
 
 //! What differs from the bonds before: how many, and a sum of hashes that tells sets of changes apart. Both
 //! add up over ranks to the same in any decomposition.
@@ -63,7 +64,7 @@ struct LocalChanges {
 LocalChanges look(CandidateBonds& candidates, const RankAtoms& atoms);
 
 //! Makes `now` what was before, in the candidates and in the partners of the owned atoms.
-void adopt(CandidateBonds& candidates, const RankAtoms& atoms, const BondDistances& distances,
+void adopt(CandidateBonds& candidates, const RankAtoms& atoms, const topology::BondDistances& distances,
            std::span<Partners> partners);
 
 }  // namespace nanocarbon

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "bond_topology/options.h"
 
 #include <cctype>
@@ -27,7 +28,7 @@ BondTopologyOptions read_options(LAMMPS* lmp, int narg, char** arg) {
   options.every = utils::inumeric(FLERR, arg[3], false, lmp);
   if (options.every <= 0)
     stop(lmp, std::string("the number of steps between looks must be above 0, not ") + arg[3]);
-  BondWindow& carbon = options.distances.carbon_carbon;
+  topology::BondWindow& carbon = options.distances.carbon_carbon;
   for (int k = 4; k < narg; k += 2) {
     const std::string keyword = arg[k];
     if (k + 1 == narg) stop(lmp, "the value of " + keyword + " is missing");

@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>
 
 #include "lammps.h"
-#include "nanocarbon/molecule/bond_graph.h"
-#include "nanocarbon/molecule/surface_topology.h"
+#include "nanocarbon/topology/bond_graph.h"
+#include "nanocarbon/topology/surface_topology.h"
 
 namespace nanocarbon {
 
 //! The settings of one fix bond/topology; its documentation page says what each does.
 struct BondTopologyOptions {
   int every = 0;
-  BondDistances distances;
-  TopologyOptions topology;
+  topology::BondDistances distances;
+  topology::TopologyOptions topology;
   std::string file;  //!< empty: none
   bool append = false;
   bool halt = false;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "bond_topology/restart_data.h"
 
 #include <array>
@@ -32,12 +33,12 @@ std::string to_bytes(const RestartData& data) {
   append(bytes, static_cast<std::uint64_t>(data.bonds.size()));
   for (const std::int64_t id : data.start.ids) append(bytes, id);
   for (const Element element : data.start.elements) append(bytes, element);
-  for (const BondEnd& bond : data.start.bonds) {
+  for (const topology::BondEnd& bond : data.start.bonds) {
     append(bytes, bond.atom);
     append(bytes, bond.neighbour);
     for (int axis = 0; axis < 3; ++axis) append(bytes, bond.vector[axis]);
   }
-  for (const BondedIds& bond : data.bonds) {
+  for (const topology::BondedIds& bond : data.bonds) {
     append(bytes, bond.first);
     append(bytes, bond.second);
   }
@@ -53,7 +54,7 @@ bool from_bytes(const char* bytes, RestartData& data) {
   for (std::uint64_t a = 0; a < atoms; ++a) data.start.ids.push_back(take<std::int64_t>(bytes));
   for (std::uint64_t a = 0; a < atoms; ++a) data.start.elements.push_back(take<Element>(bytes));
   for (std::uint64_t b = 0; b < start_bonds; ++b) {
-    BondEnd bond;
+    topology::BondEnd bond;
     bond.atom = take<std::int64_t>(bytes);
     bond.neighbour = take<std::int64_t>(bytes);
     for (int axis = 0; axis < 3; ++axis) bond.vector[axis] = take<double>(bytes);

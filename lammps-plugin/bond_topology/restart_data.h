@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@ namespace nanocarbon {
 //! What a restart file holds of a watch: the start, from which all else follows, and the bonds now.
 struct RestartData {
   WatchedAtoms start;
-  std::vector<BondedIds> bonds;  //!< sorted
+  std::vector<topology::BondedIds> bonds;  //!< sorted
 };
 
 std::string to_bytes(const RestartData& data);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "bond_topology/surface_watch.h"
 
 #include <algorithm>
@@ -8,20 +9,20 @@ namespace nanocarbon {
 namespace {
 
 // Both ends of each bond.
-EmbeddedGraph graph_of(const WatchedAtoms& atoms) {
-  std::vector<BondEnd> ends;
+topology::EmbeddedGraph graph_of(const WatchedAtoms& atoms) {
+  std::vector<topology::BondEnd> ends;
   ends.reserve(2 * atoms.bonds.size());
-  for (const BondEnd& bond : atoms.bonds) {
+  for (const topology::BondEnd& bond : atoms.bonds) {
     ends.push_back(bond);
     ends.push_back({bond.neighbour, bond.atom, -bond.vector});
   }
-  return embedded_graph(atoms.ids, atoms.elements, ends);
+  return topology::embedded_graph(atoms.ids, atoms.elements, ends);
 }
 
-std::vector<BondedIds> bonded_pairs(const WatchedAtoms& atoms) {
-  std::vector<BondedIds> pairs;
+std::vector<topology::BondedIds> bonded_pairs(const WatchedAtoms& atoms) {
+  std::vector<topology::BondedIds> pairs;
   pairs.reserve(atoms.bonds.size());
-  for (const BondEnd& bond : atoms.bonds) pairs.push_back({bond.atom, bond.neighbour});
+  for (const topology::BondEnd& bond : atoms.bonds) pairs.push_back({bond.atom, bond.neighbour});
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -48,32 +49,34 @@ void mark(std::vector<AtomState>& atoms, const std::vector<std::int64_t>& ids, s
 
 }  // namespace
 
-WatchStart start_watch(WatchedAtoms atoms, const TopologyOptions& options) {
+WatchStart start_watch(WatchedAtoms atoms, const topology::TopologyOptions& options) {
   WatchStart start;
   start.bonds = bonded_pairs(atoms);
-  start.topology = surface_topology(graph_of(atoms), options);
+  start.topology = topology::surface_topology(graph_of(atoms), options);
   start.atoms = std::move(atoms);
   return start;
 }
 
-WatchReport report(const WatchStart& start, const WatchedAtoms& now, const TopologyOptions& options) {
+WatchReport report(const WatchStart& start, const WatchedAtoms& now,
+                   const topology::TopologyOptions& options) {
   WatchReport result;
   result.bonds = bonded_pairs(now);
-  result.changes = compare_bonds(start.bonds, result.bonds);
-  result.topology = surface_topology(graph_of(now), options);
+  result.changes = topology::compare_bonds(start.bonds, result.bonds);
+  result.topology = topology::surface_topology(graph_of(now), options);
 
   const std::vector<std::size_t> places = places_now(start.atoms.ids, now.ids);
-  std::vector<std::uint32_t> pieces(places.size(), no_piece);
+  std::vector<std::uint32_t> components(places.size(), topology::no_component);
   for (std::size_t a = 0; a < places.size(); ++a)
     if (places[a] != none)
-      pieces[a] = result.topology.piece_of_atom[places[a]];
+      components[a] = result.topology.component_of_atom[places[a]];
     else
       result.lost.push_back(start.atoms.ids[a]);
-  const std::vector<bool> repelled = repelled_atoms(start.topology.piece_of_atom, pieces);
+  const std::vector<bool> repelled = topology::repelled_atoms(start.topology.component_of_atom, components);
   for (std::size_t a = 0; a < places.size(); ++a)
     if (repelled[a]) result.repelled.push_back(start.atoms.ids[a]);
 
-  Judgement judgement = judge(start.topology, result.topology, result.changes.none(), result.lost.size());
+  topology::Judgement judgement =
+      topology::judge(start.topology, result.topology, result.changes.none(), result.lost.size());
   result.verdict = judgement.verdict;
   result.reason = std::move(judgement.reason);
 
@@ -81,7 +84,7 @@ WatchReport report(const WatchStart& start, const WatchedAtoms& now, const Topol
     result.atoms.push_back(
         {AtomState::unchanged, result.topology.coordination[a], result.topology.smallest_ring[a]});
   for (const auto* bonds : {&result.changes.broken, &result.changes.formed})
-    for (const BondedIds& bond : *bonds) {
+    for (const topology::BondedIds& bond : *bonds) {
       mark(result.atoms, now.ids, bond.first, AtomState::rebonded);
       mark(result.atoms, now.ids, bond.second, AtomState::rebonded);
     }

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "nanocarbon/molecule/bond_graph.h"
-#include "nanocarbon/molecule/surface_topology.h"
+#include "nanocarbon/topology/bond_graph.h"
+#include "nanocarbon/topology/surface_topology.h"
 
 namespace nanocarbon {
 
@@ -13,14 +14,14 @@ namespace nanocarbon {
 struct WatchedAtoms {
   std::vector<std::int64_t> ids;  //!< ascending
   std::vector<Element> elements;
-  std::vector<BondEnd> bonds;  //!< each bond once, at its atom of lower ID
+  std::vector<topology::BondEnd> bonds;  //!< each bond once, at its atom of lower ID
 };
 
 //! What everything later is compared with.
 struct WatchStart {
   WatchedAtoms atoms;
-  std::vector<BondedIds> bonds;  //!< sorted
-  SurfaceTopology topology;
+  std::vector<topology::BondedIds> bonds;  //!< sorted
+  topology::SurfaceTopology topology;
 };
 
 //! For output of one atom.
@@ -33,19 +34,20 @@ struct AtomState {
 
 //! The outcome of one look.
 struct WatchReport {
-  Verdict verdict = Verdict::intact;
-  std::string reason;                  //!< why it is not intact, with the atom's ID where it is one atom
-  std::vector<BondedIds> bonds;        //!< now, sorted
-  BondChanges changes;                 //!< since the start
-  std::vector<std::int64_t> repelled;  //!< IDs, with those of lost atoms, ascending
-  std::vector<std::int64_t> lost;      //!< IDs, ascending
-  SurfaceTopology topology;
+  topology::Verdict verdict = topology::Verdict::intact;
+  std::string reason;                      //!< why it is not intact, with the atom's ID where it is one atom
+  std::vector<topology::BondedIds> bonds;  //!< now, sorted
+  topology::BondChanges changes;           //!< since the start
+  std::vector<std::int64_t> repelled;      //!< IDs, with those of lost atoms, ascending
+  std::vector<std::int64_t> lost;          //!< IDs, ascending
+  topology::SurfaceTopology topology;
   std::vector<AtomState> atoms;  //!< in the order of the IDs of the look
 };
 
-WatchStart start_watch(WatchedAtoms atoms, const TopologyOptions& options);
+WatchStart start_watch(WatchedAtoms atoms, const topology::TopologyOptions& options);
 
 //! Compares atoms with those of the start. An ID that the start does not have must not occur.
-WatchReport report(const WatchStart& start, const WatchedAtoms& now, const TopologyOptions& options);
+WatchReport report(const WatchStart& start, const WatchedAtoms& now,
+                   const topology::TopologyOptions& options);
 
 }  // namespace nanocarbon

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief lmp-nanocarbon: the installed LAMMPS, with a `plugin` command where it has none. Takes what lmp
 //! takes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief The object's one exported function. It may use nothing of LAMMPS that could differ between versions
 //! until it knows that it runs in the version it was built for.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "plugin/styles.h"
 
 #include "fix_bond_topology.h"

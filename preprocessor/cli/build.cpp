@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "build.h"
 
 #include <fmt/format.h>
@@ -16,13 +17,13 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/output_file.h"
 #include "nanocarbon/core/version.h"
-#include "nanocarbon/mesh/surface.h"
-#include "nanocarbon/mesh/write_mesh.h"
-#include "nanocarbon/molecule/lammps_data.h"
-#include "nanocarbon/molecule/xyz.h"
+#include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/mesh/formats/write_mesh.h"
+#include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/molecule/formats/xyz.h"
 #include "progress_bar.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,44 +59,45 @@ void require_outputs(const BuildCommand& command) {
     if (output) outputs.push_back(*output);
   for (const fs::path& output : outputs) require_writable(output);
   require_different_files(command, outputs);
-  if (command.triangulation) format_to_write(*command.triangulation);
+  if (command.triangulation) mesh::format_to_write(*command.triangulation);
 }
 
 // The errors of building do not know the file.
-BuildResult build_naming_the_file(const std::string& file, const TriangleMesh& surface,
-                                  const BuildOptions& options) {
+building::BuildResult build_naming_the_file(const std::string& file, const TriangleMesh& surface,
+                                            const building::BuildOptions& options) {
   try {
-    return build_molecule(surface, options);
+    return building::build_molecule(surface, options);
   } catch (const UserError& error) {
     throw UserError(error.failure(), fmt::format("{}: {}", file, error.what()));
   }
 }
 
-void write_outputs(const BuildCommand& command, const BuildResult& result,
+void write_outputs(const BuildCommand& command, const building::BuildResult& result,
                    const nlohmann::ordered_json& report) {
   const std::string made_by = fmt::format("{} (nanocarbon {})", command.command_line, version);
   OutputFiles files;
   files.add(command.data, [&](std::ostream& out) {
-    write_lammps_data(out, result.molecule, {command.atom_style, command.margin, made_by});
+    molecule::write_lammps_data(out, result.molecule, {command.atom_style, command.margin, made_by});
   });
   if (command.xyz)
-    files.add(*command.xyz, [&](std::ostream& out) { write_xyz(out, result.molecule, made_by); });
+    files.add(*command.xyz, [&](std::ostream& out) { molecule::write_xyz(out, result.molecule, made_by); });
   if (command.triangulation) {
     const double edge = std::sqrt(3.0);  // of the triangulation, in bonds
-    const ThesisOptions& interval = command.build.thesis;
-    const MeshColours colours =
-        colours_by_quality(result.triangulation, edge * interval.min_bond, edge * interval.max_bond);
+    const thesis::ThesisOptions& interval = command.build.thesis;
+    const mesh::MeshColours colours =
+        mesh::colours_by_quality(result.triangulation, edge * interval.min_bond, edge * interval.max_bond);
     files.add(*command.triangulation, [&](std::ostream& out) {
-      write_mesh(out, format_to_write(*command.triangulation), result.triangulation, {.colours = &colours});
+      mesh::write_mesh(out, mesh::format_to_write(*command.triangulation), result.triangulation,
+                       {.colours = &colours});
     });
   }
   if (command.report) files.add(*command.report, [&](std::ostream& out) { out << report.dump(2) << '\n'; });
   files.publish();
 }
 
-std::string what_the_proof_lacks(const Certificate& certificate) {
+std::string what_the_proof_lacks(const minimisation::Certificate& certificate) {
   std::vector<std::string> lacks;
-  if (certificate.max_force >= certified_force)
+  if (certificate.max_force >= minimisation::certified_force)
     lacks.push_back(fmt::format("a force of {:.1e} eV/A is left", certificate.max_force));
   if (!certificate.eigenvalues.empty() && certificate.eigenvalues.front() <= certificate.uncertainty)
     lacks.push_back(fmt::format("the Hessian's smallest eigenvalue is {:.1e} eV/A^2, known to {:.1e}",
@@ -105,7 +107,7 @@ std::string what_the_proof_lacks(const Certificate& certificate) {
 }
 
 // The outputs are there to be looked at, but a script must not take them for proven.
-void require_proof(const BuildCommand& command, const BuildResult& result) {
+void require_proof(const BuildCommand& command, const building::BuildResult& result) {
   if (!result.certificate || result.certificate->minimum() || command.build.force) return;
   throw UserError(
       Failure::failed,
@@ -115,15 +117,15 @@ void require_proof(const BuildCommand& command, const BuildResult& result) {
 
 void run(BuildCommand& command) {
   require_outputs(command);
-  BuildOptions& options = command.build;
+  building::BuildOptions& options = command.build;
   options.thesis = thesis_options(command);
   options.threads = command.common.threads;
   options.seed = command.common.seed;
-  if (command.atoms) options.size = AtomCount{*command.atoms};
-  if (command.length) options.size = LongestSide{*command.length};
-  if (command.scale) options.size = UnitScale{*command.scale};
+  if (command.atoms) options.size = building::AtomCount{*command.atoms};
+  if (command.length) options.size = building::LongestSide{*command.length};
+  if (command.scale) options.size = building::UnitScale{*command.scale};
 
-  const LoadedSurface surface = load_surface(command.mesh);
+  const mesh::LoadedSurface surface = mesh::load_surface(command.mesh);
   const auto tell = [&](const char* kind, const std::vector<std::string>& facts) {
     if (command.common.quiet) return;
     for (const std::string& fact : facts)
@@ -132,7 +134,7 @@ void run(BuildCommand& command) {
   tell("note", surface.repairs);
   tell("warning", surface.warnings);
 
-  BuildResult result;
+  building::BuildResult result;
   {
     ProgressBar bar(command.common.quiet);
     options.progress = [&](std::string_view stage, double fraction) { bar.show(stage, fraction); };
@@ -141,9 +143,10 @@ void run(BuildCommand& command) {
   if (result.annealed && result.annealed->max_force > options.force_tolerance)
     tell("warning", {fmt::format("the largest force left is {:.1e} eV/A, not below the {:.1e} asked for",
                                  result.annealed->max_force, options.force_tolerance)});
-  const auto report = build_report(result, options, {command.command_line, command.mesh, surface.repairs});
+  const auto report =
+      building::build_report(result, options, {command.command_line, command.mesh, surface.repairs});
   write_outputs(command, result, report);
-  if (!command.common.quiet) fmt::print("{}\n{}", command.data.string(), report_table(report));
+  if (!command.common.quiet) fmt::print("{}\n{}", command.data.string(), building::report_table(report));
   require_proof(command, result);
 }
 
@@ -173,4 +176,4 @@ Then, in LAMMPS:
   });
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

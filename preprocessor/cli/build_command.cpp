@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "build_command.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 #include "nanocarbon/core/error.h"
 #include "number_checks.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 // An option that takes one of a few names. (CLI11's transformers would replace the name that was typed by a
@@ -37,10 +38,10 @@ void add_size_options(CLI::App& sub, BuildCommand& c) {
 
 void add_output_options(CLI::App& sub, BuildCommand& c) {
   add_choice(sub, "--atom-style", c.atom_style,
-             {{"atomic", AtomStyle::atomic},
-              {"charge", AtomStyle::charge},
-              {"molecular", AtomStyle::molecular},
-              {"full", AtomStyle::full}},
+             {{"atomic", molecule::AtomStyle::atomic},
+              {"charge", molecule::AtomStyle::charge},
+              {"molecular", molecule::AtomStyle::molecular},
+              {"full", molecule::AtomStyle::full}},
              "LAMMPS atom style: atomic, charge, molecular (default) or full");
   sub.add_option("--margin", c.margin, "Empty box around the atoms, Angstrom")
       ->check(between(0.0, 1e6))
@@ -58,15 +59,15 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
   auto* group = sub.add_option_group("Recipe", "How the mesh becomes a molecule");
   add_choice(
       *group, "--recipe", c.build.recipe,
-      {{"annealed", Recipe::annealed},
-       {"thesis", Recipe::thesis},
-       {"pecanha2013", Recipe::pecanha2013},
-       {"hauck2014", Recipe::hauck2014},
-       {"hauck2015", Recipe::hauck2015}},
+      {{"annealed", building::Recipe::annealed},
+       {"thesis", building::Recipe::thesis},
+       {"pecanha2013", building::Recipe::pecanha2013},
+       {"hauck2014", building::Recipe::hauck2014},
+       {"hauck2015", building::Recipe::hauck2015}},
       "annealed (default; needs no parameters), thesis (adaptive remeshing, then the dual), or the thesis's "
       "forerunners pecanha2013, hauck2014, hauck2015");
   add_choice(*group, "--quality", c.build.quality,
-             {{"draft", AnnealQuality::draft}, {"good", AnnealQuality::good}, {"best", AnnealQuality::best}},
+             {{"draft", Quality::draft}, {"good", Quality::good}, {"best", Quality::best}},
              "Time spent on low energy: draft, good (default) or best");
   group
       ->add_option("--bond-length", c.build.bond_length,
@@ -113,7 +114,7 @@ void add_thesis_options(CLI::App& sub, BuildCommand& c) {
       "--relax", c.build.relax,
       "Relax the dual to a minimum of REBO2 with the bonds it has, as the annealed recipe does first");
   add_choice(*group, "--visited", c.visited,
-             {{"either", VisitedMarks::either_end}, {"both", VisitedMarks::both_ends}},
+             {{"either", thesis::VisitedMarks::either_end}, {"both", thesis::VisitedMarks::both_ends}},
              "A stellar operation leaves an edge alone when either end was touched before (default), or only "
              "when both were, as Algorithm 3 prints it, which does not converge");
 }
@@ -127,14 +128,14 @@ void add_build_options(CLI::App& subcommand, BuildCommand& command) {
   add_thesis_options(subcommand, command);
 }
 
-void require_options_of_recipe(const CLI::App& subcommand, Recipe recipe) {
+void require_options_of_recipe(const CLI::App& subcommand, building::Recipe recipe) {
   const auto refuse = [&](const std::vector<std::string>& options, const std::string& reason) {
     for (const std::string& option : options)
       if (subcommand.get_option(option)->count() > 0)
         throw UserError(Failure::usage, fmt::format("{} does nothing with --recipe {} ({}): leave it out",
                                                     option, name(recipe), reason));
   };
-  if (recipe == Recipe::annealed) {
+  if (recipe == building::Recipe::annealed) {
     refuse({"--iterations", "--rings", "--projection-interval", "--local-threshold", "--visited", "--relax"},
            "it is of --recipe thesis and its forerunners");
     return;
@@ -143,20 +144,20 @@ void require_options_of_recipe(const CLI::App& subcommand, Recipe recipe) {
   refuse({"--quality", "--tether", "--max-force", "--certify"}, "it neither anneals nor minimises");
 }
 
-ThesisOptions thesis_options(const BuildCommand& c) {
-  ThesisOptions options;
+thesis::ThesisOptions thesis_options(const BuildCommand& c) {
+  thesis::ThesisOptions options;
   switch (c.build.recipe) {
-    case Recipe::annealed:
-    case Recipe::thesis:
+    case building::Recipe::annealed:
+    case building::Recipe::thesis:
       break;
-    case Recipe::pecanha2013:
-      options = pecanha2013_options();
+    case building::Recipe::pecanha2013:
+      options = thesis::pecanha2013_options();
       break;
-    case Recipe::hauck2014:
-      options = hauck2014_options();
+    case building::Recipe::hauck2014:
+      options = thesis::hauck2014_options();
       break;
-    case Recipe::hauck2015:
-      options = hauck2015_options();
+    case building::Recipe::hauck2015:
+      options = thesis::hauck2015_options();
       break;
   }
   if (c.min_bond) options.min_bond = *c.min_bond;
@@ -172,4 +173,4 @@ ThesisOptions thesis_options(const BuildCommand& c) {
   return options;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

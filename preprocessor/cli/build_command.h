@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,9 +9,9 @@
 
 #include "common_options.h"
 #include "nanocarbon/building/build_molecule.h"
-#include "nanocarbon/molecule/atom_style.h"
+#include "nanocarbon/molecule/formats/atom_style.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 
 //! The command line of `nanocarbon build`.
 struct BuildCommand {
@@ -21,10 +22,10 @@ struct BuildCommand {
   std::optional<double> length, scale;
   std::optional<double> min_bond, max_bond, local_threshold;
   std::optional<unsigned> iterations, rings, projection_interval;
-  std::optional<VisitedMarks> visited;
-  AtomStyle atom_style = AtomStyle::molecular;
+  std::optional<thesis::VisitedMarks> visited;
+  molecule::AtomStyle atom_style = molecule::AtomStyle::molecular;
   double margin = 10.0;
-  BuildOptions build;
+  building::BuildOptions build;
   CommonOptions common;
   std::string command_line;
 };
@@ -34,10 +35,10 @@ void add_build_options(CLI::App& subcommand, BuildCommand& command);
 
 //! \throw UserError (usage) where an option was given that the recipe has no use for: whoever asks for a
 //! certificate must not take silence for one
-void require_options_of_recipe(const CLI::App& subcommand, Recipe recipe);
+void require_options_of_recipe(const CLI::App& subcommand, building::Recipe recipe);
 
 //! \brief The parameters of the thesis that a command line asks for: the recipe's own, then those given.
 //! \throw UserError (usage) for an interval that is none
-ThesisOptions thesis_options(const BuildCommand& command);
+thesis::ThesisOptions thesis_options(const BuildCommand& command);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "command_text.h"
 
 #include <algorithm>
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 std::string quoted(const std::string& word) {
@@ -35,4 +36,4 @@ std::string command_text(const CLI::App& subcommand) {
   return text;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "common_options.h"
 
 #include "number_checks.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 
 void add_common_options(CLI::App& subcommand, CommonOptions& options) {
   subcommand.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
@@ -16,4 +17,4 @@ void add_common_options(CLI::App& subcommand, CommonOptions& options) {
       ->capture_default_str();
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

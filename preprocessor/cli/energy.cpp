@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "energy.h"
 
 #include <fmt/format.h>
@@ -9,12 +10,12 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/output_file.h"
-#include "nanocarbon/molecule/lammps_data.h"
-#include "nanocarbon/molecule/xyz.h"
-#include "nanocarbon/rebo2/parameter_file.h"
-#include "nanocarbon/rebo2/rebo2.h"
+#include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/molecule/formats/xyz.h"
+#include "nanocarbon/potential/rebo2/parameter_file.h"
+#include "nanocarbon/potential/rebo2/rebo2.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -53,7 +54,7 @@ Structure read_structure(const EnergyCommand& command) {
     if (!command.boundary.empty())
       throw UserError(Failure::usage,
                       "--boundary is for LAMMPS data files; XYZ files say pbc=\"T T F\" themselves");
-    Structure structure = {read_xyz(command.file), {}};
+    Structure structure = {molecule::read_xyz(command.file), {}};
     for (std::size_t i = 0; i < structure.molecule.size(); ++i)
       structure.ids.push_back(static_cast<std::int64_t>(i) + 1);
     return structure;
@@ -62,13 +63,13 @@ Structure read_structure(const EnergyCommand& command) {
     throw UserError(Failure::usage, command.file +
                                         ": cannot tell the format; the name must end in .data, .lmp or "
                                         ".lammps (LAMMPS data) or .xyz or .extxyz");
-  LammpsReadOptions options;
+  molecule::LammpsReadOptions options;
   if (!command.boundary.empty()) options.periodic = parse_boundary(command.boundary);
-  LammpsData data = read_lammps_data(command.file, options);
+  molecule::LammpsData data = molecule::read_lammps_data(command.file, options);
   return {std::move(data.molecule), std::move(data.ids)};
 }
 
-void write_forces(const std::string& path, const Structure& structure, const Rebo2Result& result) {
+void write_forces(const std::string& path, const Structure& structure, const rebo2::Rebo2Result& result) {
   const Molecule& m = structure.molecule;
   write_file(path, [&](std::ostream& out) {
     std::string header;
@@ -97,14 +98,14 @@ struct Summary {
   double largest_force;
 };
 
-Summary summarise(const Molecule& m, const Rebo2Result& result) {
+Summary summarise(const Molecule& m, const rebo2::Rebo2Result& result) {
   Summary summary = {m.size(), 0, 0.0};
   for (const Element element : m.elements) summary.carbons += element == Element::carbon;
   for (const Vec3& f : result.forces) summary.largest_force = std::max(summary.largest_force, f.norm());
   return summary;
 }
 
-void print_json(const EnergyCommand& command, const Summary& s, const Rebo2Result& result) {
+void print_json(const EnergyCommand& command, const Summary& s, const rebo2::Rebo2Result& result) {
   Json json = {{"file", command.file},
                {"atoms", s.atoms},
                {"carbons", s.carbons},
@@ -122,7 +123,7 @@ void print_json(const EnergyCommand& command, const Summary& s, const Rebo2Resul
   fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(const EnergyCommand& command, const Summary& s, const Rebo2Result& result) {
+void print_text(const EnergyCommand& command, const Summary& s, const rebo2::Rebo2Result& result) {
   const auto energy_line = [&](std::string_view name, double energy) {
     fmt::print("  {:<16}{:>20.9f} eV {:>16.9f} eV/atom\n", name, energy,
                energy / static_cast<double>(s.atoms));
@@ -143,8 +144,9 @@ void run(const EnergyCommand& command) {
   const Structure structure = read_structure(command);
   const Molecule& m = structure.molecule;
   if (m.size() == 0) throw UserError(Failure::unsuitable, command.file + ": there are no atoms in it");
-  Rebo2 rebo2(command.potential.empty() ? rebo2_parameters() : read_rebo2_parameters(command.potential));
-  const Rebo2Result& result =
+  rebo2::Rebo2 rebo2(command.potential.empty() ? rebo2::rebo2_parameters()
+                                               : rebo2::read_rebo2_parameters(command.potential));
+  const rebo2::Rebo2Result& result =
       rebo2.evaluate(m.positions, m.elements, m.cell ? &*m.cell : nullptr, {.atom_energies = true});
   if (!command.forces.empty()) write_forces(command.forces, structure, result);
   const Summary summary = summarise(m, result);
@@ -179,4 +181,4 @@ Examples:
   sub.callback([command] { run(*command); });
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "inspect.h"
 
 #include <fmt/format.h>
@@ -7,11 +8,12 @@
 #include <string>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/diagnose.h"
 #include "nanocarbon/mesh/diagnosis.h"
-#include "nanocarbon/mesh/read_mesh.h"
-#include "nanocarbon/mesh/surface.h"
+#include "nanocarbon/mesh/formats/read_mesh.h"
+#include "nanocarbon/mesh/repair/repair_surface.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,16 +25,16 @@ struct InspectCommand {
 
 //! The file as it is, and what repairs would make of it.
 struct Inspection {
-  MeshDiagnosis diagnosis;
-  RepairedSurface repaired;
+  mesh::MeshDiagnosis diagnosis;
+  mesh::RepairedSurface repaired;
 };
 
-Json findings_json(const MeshDiagnosis& diagnosis, Severity wanted) {
+Json findings_json(const mesh::MeshDiagnosis& diagnosis, mesh::Severity wanted) {
   Json list = Json::array();
-  for (const MeshFinding& finding : diagnosis.findings) {
-    if (severity(finding.problem) != wanted) continue;
+  for (const mesh::MeshFinding& finding : diagnosis.findings) {
+    if (mesh::severity(finding.problem) != wanted) continue;
     Json places = Json::array();
-    for (const MeshPlace& place : finding.places)
+    for (const mesh::MeshPlace& place : finding.places)
       places.push_back({{"vertices", place.vertices},
                         {"faces", place.faces},
                         {"point", {place.point.x(), place.point.y(), place.point.z()}}});
@@ -47,13 +49,13 @@ Json findings_json(const MeshDiagnosis& diagnosis, Severity wanted) {
 Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const std::string& file, const Inspection& inspection) {
-  const MeshDiagnosis& d = inspection.diagnosis;
-  const MeshTopology& t = d.topology;
+  const mesh::MeshDiagnosis& d = inspection.diagnosis;
+  const mesh::MeshTopology& t = d.topology;
   Json json = {{"file", file},
                {"vertices", d.points},
                {"faces", d.faces},
                {"edges", t.edges},
-               {"pieces", t.pieces},
+               {"pieces", t.components},
                {"boundary_loops", t.boundary_loops},
                {"manifold", t.manifold()},
                {"orientable", t.orientable},
@@ -67,30 +69,30 @@ Json to_json(const std::string& file, const Inspection& inspection) {
                {"area", d.area},
                {"volume", d.volume ? Json(*d.volume) : Json()},
                {"bounding_box", {{"low", vector_json(d.box.low)}, {"high", vector_json(d.box.high)}}}};
-  Json pieces = Json::array();
-  for (const MeshPiece& p : t.piece)
-    pieces.push_back({{"vertices", p.vertices},
-                      {"faces", p.faces},
-                      {"boundary_loops", p.boundary_loops},
-                      {"orientable", p.orientable},
-                      {"genus", p.genus()}});
-  json["piece"] = std::move(pieces);
+  Json components = Json::array();
+  for (const mesh::MeshComponent& p : t.component)
+    components.push_back({{"vertices", p.vertices},
+                          {"faces", p.faces},
+                          {"boundary_loops", p.boundary_loops},
+                          {"orientable", p.orientable},
+                          {"genus", p.genus()}});
+  json["piece"] = std::move(components);
   json["usable"] = inspection.repaired.diagnosis.usable();
   json["repairs"] = inspection.repaired.repairs;
-  json["warnings"] = findings_json(inspection.repaired.diagnosis, Severity::warning);
-  json["reasons"] = findings_json(inspection.repaired.diagnosis, Severity::reason);
+  json["warnings"] = findings_json(inspection.repaired.diagnosis, mesh::Severity::warning);
+  json["reasons"] = findings_json(inspection.repaired.diagnosis, mesh::Severity::reason);
   return json;
 }
 
 void print_text(const std::string& file, const Inspection& inspection) {
-  const MeshDiagnosis& d = inspection.diagnosis;
-  const MeshTopology& t = d.topology;
+  const mesh::MeshDiagnosis& d = inspection.diagnosis;
+  const mesh::MeshTopology& t = d.topology;
   const auto line = [](std::string_view name, const std::string& value) {
     fmt::print("  {:<18}{}\n", name, value);
   };
   fmt::print("{}\n", file);
   line("vertices, faces", fmt::format("{}, {}", d.points, d.faces));
-  line("pieces", fmt::format("{}", t.pieces));
+  line("pieces", fmt::format("{}", t.components));
   line("boundary loops", fmt::format("{}", t.boundary_loops));
   line("orientable", t.orientable ? "yes" : "no");
   line("genus", t.manifold() ? fmt::format("{} (Euler characteristic {})", t.genus, t.euler_characteristic)
@@ -103,17 +105,17 @@ void print_text(const std::string& file, const Inspection& inspection) {
   }
   line("area", fmt::format("{:.6g}", d.area) + (d.volume ? fmt::format(", volume {:.6g}", *d.volume) : ""));
   for (const std::string& repair : inspection.repaired.repairs) line("repaired", repair);
-  for (const MeshFinding& finding : inspection.repaired.diagnosis.findings) {
-    if (severity(finding.problem) == Severity::warning) line("warning", finding.text);
-    if (severity(finding.problem) == Severity::reason) line("CANNOT BE USED", finding.text);
+  for (const mesh::MeshFinding& finding : inspection.repaired.diagnosis.findings) {
+    if (mesh::severity(finding.problem) == mesh::Severity::warning) line("warning", finding.text);
+    if (mesh::severity(finding.problem) == mesh::Severity::reason) line("CANNOT BE USED", finding.text);
   }
   if (inspection.repaired.diagnosis.usable()) line("usable", "yes: nanocarbon build takes it");
 }
 
 void run(const InspectCommand& command) {
-  PolygonSoup soup = read_mesh(command.mesh);
-  Inspection inspection{diagnose(soup), {}};
-  inspection.repaired = repair_surface(std::move(soup));
+  mesh::PolygonSoup soup = mesh::read_mesh(command.mesh);
+  Inspection inspection{mesh::diagnose(soup), {}};
+  inspection.repaired = mesh::repair_surface(std::move(soup));
   if (command.json)
     fmt::print("{}\n", to_json(command.mesh, inspection).dump(2));
   else
@@ -136,4 +138,4 @@ Examples:
   sub.callback([command] { run(*command); });
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -35,10 +36,10 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Each subcommand has its own --help. Exit codes: README.md.");
   // The work of a subcommand is done by its callback, which parse() runs.
-  nanocarbon::add_inspect(app);
-  nanocarbon::add_build(app);
-  nanocarbon::add_make(app);
-  nanocarbon::add_energy(app);
+  nanocarbon::cli::add_inspect(app);
+  nanocarbon::cli::add_build(app);
+  nanocarbon::cli::add_make(app);
+  nanocarbon::cli::add_energy(app);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("nanocarbon: error: {}\nRun with --help for more information.\n", error.what());
   });

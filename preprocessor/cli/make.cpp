@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "make.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 
 void add_make(CLI::App& app) {
   CLI::App& make = *app.add_subcommand("make", "Make a known structure, or a shape as a mesh");
@@ -21,4 +22,4 @@ Examples:
   nanocarbon make mesh torus --major 3 --minor 1 -o torus.off)");
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <CLI/CLI.hpp>
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 
 //! `nanocarbon make STRUCTURE ... -o FILE`: known structures as molecules, and smooth shapes as meshes.
 void add_make(CLI::App& app);
@@ -16,4 +17,4 @@ void add_make_diamond(CLI::App& make);
 void add_make_schwarzite(CLI::App& make);
 void add_make_mesh(CLI::App& make);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

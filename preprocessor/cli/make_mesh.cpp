@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "make.h"
 #include "make_output.h"
-#include "nanocarbon/structures/implicit_shapes.h"
-#include "nanocarbon/structures/shapes.h"
+#include "nanocarbon/shapes/implicit_shapes.h"
+#include "nanocarbon/shapes/shapes.h"
 #include "number_checks.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 //! One `make mesh SHAPE`: its options fill a Shape, which `make` turns into a mesh.
@@ -40,8 +41,9 @@ void add_sphere(CLI::App& mesh) {
     double radius = 1.0;
     int subdivisions = 10;
   };
-  const auto c = add_shape<Sphere>(mesh, "sphere", "A sphere of 20 S^2 triangles",
-                                   [](const Sphere& s) { return make_sphere(s.radius, s.subdivisions); });
+  const auto c = add_shape<Sphere>(mesh, "sphere", "A sphere of 20 S^2 triangles", [](const Sphere& s) {
+    return shapes::make_sphere(s.radius, s.subdivisions);
+  });
   length(mesh, "sphere", "--radius", c->shape.radius, "Radius");
   mesh.get_subcommand("sphere")
       ->add_option("--subdivisions", c->shape.subdivisions, "Parts S of each edge of an icosahedron")
@@ -54,13 +56,14 @@ void add_hemisphere(CLI::App& mesh) {
   struct Hemisphere {
     double radius = 1.0, edge = 0.1;
   };
-  const auto c = add_shape<Hemisphere>(mesh, "hemisphere", "Half a sphere, with a border",
-                                       [](const Hemisphere& s) { return make_hemisphere(s.radius, s.edge); });
+  const auto c =
+      add_shape<Hemisphere>(mesh, "hemisphere", "Half a sphere, with a boundary",
+                            [](const Hemisphere& s) { return shapes::make_hemisphere(s.radius, s.edge); });
   length(mesh, "hemisphere", "--radius", c->shape.radius, "Radius");
   length(mesh, "hemisphere", "--edge", c->shape.edge, "Length of the edges of its triangles");
 }
 
-//! A capsule, or a cylinder with two borders.
+//! A capsule, or a cylinder with two boundaries.
 void add_straight(CLI::App& mesh, const char* name, const char* description,
                   TriangleMesh (*make)(double radius, double length, double edge)) {
   struct Straight {
@@ -87,44 +90,45 @@ void add_rings(CLI::App& mesh, const char* name, const char* description,
 }
 
 void add_helix(CLI::App& mesh) {
-  const auto c = add_shape<HelixShape>(mesh, "helix", "A tube along a helix", make_helix);
+  const auto c = add_shape<shapes::HelixShape>(mesh, "helix", "A tube along a helix", shapes::make_helix);
   length(mesh, "helix", "--coil-radius", c->shape.coil_radius, "Radius of the helix");
   length(mesh, "helix", "--tube-radius", c->shape.tube_radius, "Radius of the tube");
   length(mesh, "helix", "--pitch", c->shape.pitch, "Rise in one turn");
   length(mesh, "helix", "--edge", c->shape.edge, "Length of the edges of its triangles");
   CLI::App& sub = *mesh.get_subcommand("helix");
   sub.add_option("--turns", c->shape.turns, "Number of turns")->check(above_zero())->capture_default_str();
-  sub.add_flag("--open", c->shape.open, "Borders at both ends, instead of round ends");
+  sub.add_flag("--open", c->shape.open, "Boundaries at both ends, instead of round ends");
 }
 
 void add_junction(CLI::App& mesh) {
   struct Junction {
-    JunctionShape shape;
+    shapes::JunctionShape shape;
     std::string kind = "y";
   };
   const auto c = add_shape<Junction>(mesh, "junction", "Tubes that meet", [](const Junction& junction) {
-    JunctionShape shape = junction.shape;
-    using Kind = JunctionShape::Kind;
+    shapes::JunctionShape shape = junction.shape;
+    using Kind = shapes::JunctionShape::Kind;
     shape.kind = junction.kind == "y" ? Kind::y : junction.kind == "t" ? Kind::t : Kind::x;
-    return make_junction(shape);
+    return shapes::make_junction(shape);
   });
   CLI::App& sub = *mesh.get_subcommand("junction");
   sub.add_option("--kind", c->shape.kind,
                  "Three arms at 120 degrees (y), three as a T (t), four as a cross (x)")
       ->check(CLI::IsMember({"y", "t", "x"}))
       ->capture_default_str();
-  JunctionShape& shape = c->shape.shape;
+  shapes::JunctionShape& shape = c->shape.shape;
   length(mesh, "junction", "--tube-radius", shape.tube_radius, "Radius of the tubes");
   length(mesh, "junction", "--arm-length", shape.arm_length, "From the middle to the end of each arm");
   length(mesh, "junction", "--blend", shape.blend, "Width over which the crease between arms is rounded");
   length(mesh, "junction", "--edge", shape.edge, "Length of the edges of its triangles");
   sub.add_flag_callback(
-      "--closed", [&shape] { shape.open = false; }, "Round ends, instead of borders");
+      "--closed", [&shape] { shape.open = false; }, "Round ends, instead of boundaries");
 }
 
 void add_minimal_surface(CLI::App& mesh, const char* name, const char* description,
-                         MinimalSurfacePiece::Kind kind) {
-  const auto c = add_shape<MinimalSurfacePiece>(mesh, name, description, make_minimal_surface_piece);
+                         shapes::MinimalSurfacePiece::Kind kind) {
+  const auto c =
+      add_shape<shapes::MinimalSurfacePiece>(mesh, name, description, shapes::make_minimal_surface_piece);
   c->shape.kind = kind;
   length(mesh, name, "--period", c->shape.period, "Period of the surface");
   length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
@@ -134,7 +138,7 @@ void add_minimal_surface(CLI::App& mesh, const char* name, const char* descripti
       ->capture_default_str();
   sub.add_option("--thickness", c->shape.thickness,
                  "Close it: the surface of a shell this thick around it, mesh units (0: the surface itself, "
-                 "with borders)")
+                 "with boundaries)")
       ->check(zero_or_more())
       ->capture_default_str();
 }
@@ -146,18 +150,18 @@ void add_make_mesh(CLI::App& make) {
   mesh.require_subcommand(1);
   add_sphere(mesh);
   add_hemisphere(mesh);
-  add_straight(mesh, "capsule", "A cylinder with round ends", make_capsule);
-  add_straight(mesh, "cylinder", "A cylinder with two borders", make_cylinder);
-  add_rings(mesh, "torus", "A torus", make_torus);
-  add_rings(mesh, "genus-two", "Two tori side by side, grown together", make_genus_two);
+  add_straight(mesh, "capsule", "A cylinder with round ends", shapes::make_capsule);
+  add_straight(mesh, "cylinder", "A cylinder with two boundaries", shapes::make_cylinder);
+  add_rings(mesh, "torus", "A torus", shapes::make_torus);
+  add_rings(mesh, "genus-two", "Two tori side by side, grown together", shapes::make_genus_two);
   add_helix(mesh);
   add_junction(mesh);
   add_minimal_surface(mesh, "gyroid-piece", "A cube's worth of the gyroid",
-                      MinimalSurfacePiece::Kind::gyroid);
+                      shapes::MinimalSurfacePiece::Kind::gyroid);
   add_minimal_surface(mesh, "schwarz-p-piece", "A cube's worth of Schwarz's P surface",
-                      MinimalSurfacePiece::Kind::schwarz_p);
+                      shapes::MinimalSurfacePiece::Kind::schwarz_p);
   add_minimal_surface(mesh, "schwarz-d-piece", "A cube's worth of Schwarz's D surface",
-                      MinimalSurfacePiece::Kind::schwarz_d);
+                      shapes::MinimalSurfacePiece::Kind::schwarz_d);
   mesh.footer(R"(Lengths are in mesh units; 'nanocarbon build' has options for the size in Angstrom.
 Examples:
   nanocarbon make mesh torus --major 3 --minor 1 --edge 0.2 -o torus.off
@@ -165,4 +169,4 @@ Examples:
   nanocarbon make mesh gyroid-piece --cells 1.5 -o gyroid.ply)");
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

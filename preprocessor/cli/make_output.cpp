@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "make_output.h"
 
 #include <fmt/format.h>
@@ -8,15 +9,15 @@
 
 #include "command_text.h"
 #include "nanocarbon/core/version.h"
+#include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/mesh_topology.h"
-#include "nanocarbon/mesh/write_mesh.h"
-#include "nanocarbon/molecule/atom_style.h"
 #include "nanocarbon/molecule/bond_statistics.h"
-#include "nanocarbon/molecule/lammps_data.h"
-#include "nanocarbon/molecule/xyz.h"
+#include "nanocarbon/molecule/formats/atom_style.h"
+#include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/molecule/formats/xyz.h"
 #include "number_checks.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 std::string ring_counts(const Molecule& molecule) {
@@ -59,12 +60,12 @@ void write_molecule(const MoleculeOutput& output, const Molecule& molecule, cons
   const std::string extension = output.path.extension().string();
   const std::string made_by = fmt::format("{} (nanocarbon {})", command_text(subcommand), version);
   if (extension == ".data")
-    write_lammps_data(output.path, molecule,
-                      {*atom_style_from_name(output.atom_style), output.margin, made_by});
+    molecule::write_lammps_data(output.path, molecule,
+                                {*molecule::atom_style_from_name(output.atom_style), output.margin, made_by});
   else
-    write_xyz(output.path, molecule, made_by);
+    molecule::write_xyz(output.path, molecule, made_by);
   if (output.quiet) return;
-  const Spread bonds = spread(bond_lengths(molecule));
+  const molecule::Spread bonds = molecule::spread(molecule::bond_lengths(molecule));
   fmt::print("{}: {} atoms, {} bonds of {:.3f} to {:.3f} Angstrom{}\n", output.path.string(), molecule.size(),
              molecule.bonds.size(), bonds.min, bonds.max, ring_counts(molecule));
 }
@@ -78,11 +79,11 @@ void add_mesh_output(CLI::App& subcommand, MeshOutput& output) {
 }
 
 void write_shape(const MeshOutput& output, const TriangleMesh& mesh) {
-  write_mesh(output.path, mesh);
+  mesh::write_mesh(output.path, mesh);
   if (output.quiet) return;
-  const MeshTopology t = mesh_topology(mesh);
+  const mesh::MeshTopology t = mesh::mesh_topology(mesh);
   fmt::print("{}: {} vertices, {} triangles, genus {}, {} boundary loops\n", output.path.string(), t.vertices,
              t.faces, t.genus, t.boundary_loops);
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

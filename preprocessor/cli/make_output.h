@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +8,7 @@
 #include "nanocarbon/mesh/triangle_mesh.h"
 #include "nanocarbon/molecule/molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 
 //! Where a made structure goes, and how.
 struct MoleculeOutput {
@@ -29,4 +30,4 @@ struct MeshOutput {
 void add_mesh_output(CLI::App& subcommand, MeshOutput& output);
 void write_shape(const MeshOutput& output, const TriangleMesh& mesh);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

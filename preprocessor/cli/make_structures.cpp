@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
 #include <array>
@@ -16,7 +17,7 @@
 #include "nanocarbon/structures/schwarzite.h"
 #include "number_checks.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 //! A number of cells for each edge of a crystal, or one number for all.
@@ -71,10 +72,10 @@ void add_make_graphene(CLI::App& make) {
   sub.callback([c, &sub] {
     if (c->hydrogen && c->flake == 0.0)
       throw UserError(Failure::usage, "--hydrogen is for the rim of a flake: a periodic sheet has none");
-    const Molecule molecule = c->flake > 0.0      ? graphene_flake(c->flake)
-                              : !c->cells.empty() ? graphene(c->cells[0], c->cells[1])
-                                                  : graphene_sheet(c->size[0], c->size[1]);
-    write_molecule(c->output, c->hydrogen ? saturated_with_hydrogen(molecule) : molecule, sub);
+    const Molecule molecule = c->flake > 0.0      ? structures::graphene_flake(c->flake)
+                              : !c->cells.empty() ? structures::graphene(c->cells[0], c->cells[1])
+                                                  : structures::graphene_sheet(c->size[0], c->size[1]);
+    write_molecule(c->output, c->hydrogen ? molecule::saturated_with_hydrogen(molecule) : molecule, sub);
   });
 }
 
@@ -99,7 +100,7 @@ void add_make_fullerene(CLI::App& make) {
 Examples:
   nanocarbon make fullerene 1 1 -o c60.data
   nanocarbon make fullerene 5 3 -o c980.xyz)");
-  sub.callback([c, &sub] { write_molecule(c->output, fullerene(c->h, c->k), sub); });
+  sub.callback([c, &sub] { write_molecule(c->output, structures::fullerene(c->h, c->k), sub); });
 }
 
 void add_make_onion(CLI::App& make) {
@@ -122,7 +123,7 @@ void add_make_onion(CLI::App& make) {
       R"(Shells are about 3.5 Angstrom apart and not bonded. REBO2 has no attraction between them; AIREBO has.
 Example:
   nanocarbon make onion --shells 4 -o onion.data)");
-  sub.callback([c, &sub] { write_molecule(c->output, onion(c->innermost, c->shells), sub); });
+  sub.callback([c, &sub] { write_molecule(c->output, structures::onion(c->innermost, c->shells), sub); });
 }
 
 void add_make_diamond(CLI::App& make) {
@@ -137,7 +138,7 @@ void add_make_diamond(CLI::App& make) {
   sub.footer("Example:\n  nanocarbon make diamond --cells 4 -o diamond.data");
   sub.callback([c, &sub] {
     const auto [x, y, z] = three(c->cells);
-    write_molecule(c->output, diamond(x, y, z), sub);
+    write_molecule(c->output, structures::diamond(x, y, z), sub);
   });
 }
 
@@ -158,8 +159,10 @@ void add_make_schwarzite(CLI::App& make) {
   sub.footer("Example:\n  nanocarbon make schwarzite p688 --cells 3 -o p688.data");
   sub.callback([c, &sub] {
     const auto [x, y, z] = three(c->cells);
-    write_molecule(c->output, c->kind == "p688" ? schwarzite_p688(x, y, z) : schwarzite_d688(x, y, z), sub);
+    write_molecule(
+        c->output,
+        c->kind == "p688" ? structures::schwarzite_p688(x, y, z) : structures::schwarzite_d688(x, y, z), sub);
   });
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -11,7 +12,7 @@
 #include "nanocarbon/structures/tube.h"
 #include "number_checks.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 struct TubeCommand {
@@ -24,19 +25,19 @@ struct TubeCommand {
 
 //! The whole number of periods closest to a length.
 Molecule periodic_tube_of_length(int n, int m, double length) {
-  if (n < 0 || m < 0 || n + m == 0) return periodic_tube(n, m, 1);  // which says what is wrong
-  const double periods = std::round(length / tube_geometry(n, m).period);
+  if (n < 0 || m < 0 || n + m == 0) return structures::periodic_tube(n, m, 1);  // which says what is wrong
+  const double periods = std::round(length / structures::tube_geometry(n, m).period);
   if (periods > 1e8) throw UserError(Failure::usage, "the tube is too long; take a shorter --length");
-  return periodic_tube(n, m, std::max(1, static_cast<int>(periods)));
+  return structures::periodic_tube(n, m, std::max(1, static_cast<int>(periods)));
 }
 
 Molecule make_tube(const TubeCommand& c) {
   if (c.periodic && c.ends == "capped")
     throw UserError(Failure::usage, "--periodic and --ends capped exclude each other; leave one out");
   if (c.periodic || c.ends == "periodic") return periodic_tube_of_length(c.n, c.m, c.length);
-  if (c.ends == "capped") return capped_tube(c.n, c.m, c.length);
-  const Molecule tube = open_tube(c.n, c.m, c.length);
-  return c.ends == "open" ? tube : saturated_with_hydrogen(tube);
+  if (c.ends == "capped") return structures::capped_tube(c.n, c.m, c.length);
+  const Molecule tube = structures::open_tube(c.n, c.m, c.length);
+  return c.ends == "open" ? tube : molecule::saturated_with_hydrogen(tube);
 }
 
 }  // namespace
@@ -75,4 +76,4 @@ Examples:
   sub.callback([c, &sub] { write_molecule(c->output, make_tube(*c), sub); });
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

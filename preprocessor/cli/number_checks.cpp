@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "number_checks.h"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 template <class Test>
@@ -61,4 +62,4 @@ CLI::Validator between(double low, double high) {
                      [=](double number) { return low <= number && number <= high; });
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

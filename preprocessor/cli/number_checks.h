@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <CLI/CLI.hpp>
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 
 //! \name Checks of an option's number
 //! CLI11's own let "nan" through, and name the largest double there is, digit by digit, where they refuse.
@@ -13,7 +14,8 @@ CLI::Validator between(double low, double high);
 //! @}
 
 //! \brief Lets whole numbers through, as 10000, 1e4 or 10000.0, and writes them in digits for the option to
-//! read. \details Refuses those that 64 bits do not hold. Goes to transform(), not to check().
+//! read.
+//! \details Refuses those that 64 bits do not hold. Goes to transform(), not to check().
 CLI::Validator whole_number();
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "progress_bar.h"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 
 ProgressBar::ProgressBar(bool quiet) : active_(!quiet && isatty(STDERR_FILENO)) {}
 
@@ -29,4 +30,4 @@ void ProgressBar::show(std::string_view stage, double fraction) {
   drawn_ = true;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

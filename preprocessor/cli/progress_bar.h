@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <chrono>
 #include <string>
 #include <string_view>
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 
 //! A progress bar on stderr, drawn only where stderr is a terminal and quiet was not asked for.
 class ProgressBar {
@@ -25,4 +26,4 @@ class ProgressBar {
   std::string last_stage_;
 };
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Times of the mesh room on a torus of 10k, 50k, 200k and 1M triangles. Reading is from memory.
 #include <benchmark/benchmark.h>
 
@@ -8,12 +9,13 @@
 #include <random>
 #include <string>
 
+#include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/mesh/formats/read_mesh.h"
+#include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/nearest_point.h"
-#include "nanocarbon/mesh/read_mesh.h"
+#include "nanocarbon/mesh/repair/repair_surface.h"
 #include "nanocarbon/mesh/self_intersections.h"
-#include "nanocarbon/mesh/surface.h"
 #include "nanocarbon/mesh/triangulate.h"
-#include "nanocarbon/mesh/write_mesh.h"
 #include "support/small_meshes.h"
 
 namespace nanocarbon {
@@ -21,12 +23,12 @@ namespace {
 
 TriangleMesh torus_of(std::int64_t triangles) {
   const auto m = static_cast<VertexIndex>(std::sqrt(static_cast<double>(triangles) / 6.0));
-  return triangulate(test::torus(3 * m, m)).mesh;
+  return mesh::triangulate(test::torus(3 * m, m)).mesh;
 }
 
 std::string file_of(const TriangleMesh& mesh, const std::string& name, bool text) {
   const auto path = std::filesystem::temp_directory_path() / ("nanocarbon_benchmark_" + name);
-  write_mesh(path, mesh, {text, nullptr});
+  mesh::write_mesh(path, mesh, {text, nullptr});
   std::ifstream stream(path, std::ios::binary);
   std::string contents{std::istreambuf_iterator<char>(stream), {}};
   std::filesystem::remove(path);
@@ -36,29 +38,29 @@ std::string file_of(const TriangleMesh& mesh, const std::string& name, bool text
 void read(benchmark::State& state, const std::string& name, bool text) {
   const TriangleMesh mesh = torus_of(state.range(0));
   const std::string contents = file_of(mesh, name, text);
-  for (auto _ : state) benchmark::DoNotOptimize(parse_mesh(contents, name));
+  for (auto _ : state) benchmark::DoNotOptimize(mesh::parse_mesh(contents, name));
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(contents.size()));
 }
 
 void repair(benchmark::State& state) {
-  const PolygonSoup soup = soup_of(torus_of(state.range(0)));
+  const mesh::PolygonSoup soup = mesh::soup_of(torus_of(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(repair_surface(soup));
 }
 
 void find_self_intersections(benchmark::State& state) {
   const TriangleMesh mesh = torus_of(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(self_intersections(mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(mesh::self_intersections(mesh));
 }
 
 void build_tree(benchmark::State& state) {
   const TriangleMesh mesh = torus_of(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(NearestPoint(mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(mesh::NearestPoint(mesh));
 }
 
 // Queries as the remesher makes them: near the surface, in no order or with a triangle nearby.
 void find_nearest(benchmark::State& state, bool with_hint) {
   const TriangleMesh mesh = torus_of(state.range(0));
-  const NearestPoint nearest(mesh);
+  const mesh::NearestPoint nearest(mesh);
   std::mt19937_64 random(1);
   std::vector<std::uint32_t> triangles(4096);
   std::vector<Vec3> queries(triangles.size());

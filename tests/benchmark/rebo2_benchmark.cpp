@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Time of the library's own REBO2, microseconds an atom and evaluation ("us/atom"), of CPU time:
 //   benchmark_rebo2 [--benchmark_repetitions=9 --benchmark_report_aggregates_only]
 // One thread. Every evaluation moves the atoms a little, as a step of molecular dynamics would.
 #include <benchmark/benchmark.h>
 
-#include "nanocarbon/rebo2/rebo2.h"
-#include "nanocarbon/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/rebo2.h"
+#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
-#include "rebo2/comparison_structures.h"
+#include "potential/rebo2/comparison_structures.h"
 
 namespace nanocarbon {
 namespace {
@@ -15,14 +16,14 @@ namespace {
 //! Graphene with about as many atoms as asked for, vibrating as at 300 K.
 Molecule make_graphene(std::size_t atoms) {
   const double side = std::sqrt(static_cast<double>(atoms) * 2.62);
-  Molecule sheet = graphene_sheet(side, side);
+  Molecule sheet = structures::graphene_sheet(side, side);
   test::rattle(sheet, 0.08, 1);
   return sheet;
 }
 
 Molecule make_fullerene(std::size_t atoms) {
   const int h = static_cast<int>(std::lround(std::sqrt(static_cast<double>(atoms) / 60.0)));
-  Molecule molecule = fullerene(h, h);
+  Molecule molecule = structures::fullerene(h, h);
   test::rattle(molecule, 0.05, 1);
   return molecule;
 }
@@ -42,7 +43,7 @@ Molecule with_vacancies(Molecule molecule, double share) {
 
 void evaluate(benchmark::State& state, const Molecule& molecule, std::string_view instructions,
               bool general_only) {
-  Rebo2 rebo2(rebo2_parameters(), instructions);
+  rebo2::Rebo2 rebo2(rebo2::rebo2_parameters(), instructions);
   Molecule moving = molecule;
   const Cell* cell = moving.cell ? &*moving.cell : nullptr;
   double shift = 1e-4;
@@ -70,7 +71,7 @@ void add(const std::string& name, const Molecule& molecule, std::string_view ins
 const int registered = [] {
   const Molecule sheet = make_graphene(10000);
   const Molecule molecule = make_fullerene(10000);
-  for (const Sp2Kernel* kernel : usable_sp2_kernels()) {
+  for (const rebo2::Sp2Kernel* kernel : rebo2::usable_sp2_kernels()) {
     const std::string suffix = std::string(", ") + kernel->name;
     add("graphene 10k" + suffix, sheet, kernel->name);
     add("fullerene 10k" + suffix, molecule, kernel->name);

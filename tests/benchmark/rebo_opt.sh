@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Compares pair_style rebo/opt with rebo: rebo_opt.sh BUILD_FOLDER [ROUNDS]
 #
 # Runs rebo_opt.in for both styles in turn and prints medians of CPU time, microseconds an atom and step: LAMMPS's own

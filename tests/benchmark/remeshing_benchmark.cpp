@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Every step of the thesis's remeshing by itself, at 10,000, 50,000 and 200,000 triangles: the time for one
 // triangle must not grow. Shapes are a torus whose triangles the recipe has not seen yet, and one that it has
 // worked on.
@@ -7,14 +8,14 @@
 #include <cmath>
 #include <random>
 
-#include "nanocarbon/mesh/surface.h"
-#include "nanocarbon/remeshing/edge_lengths.h"
-#include "nanocarbon/remeshing/local_optimiser.h"
-#include "nanocarbon/remeshing/low_pass_filter.h"
-#include "nanocarbon/remeshing/projection.h"
-#include "nanocarbon/remeshing/stellar_pass.h"
-#include "nanocarbon/remeshing/thesis_recipe.h"
-#include "nanocarbon/remeshing/valence_optimiser.h"
+#include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/remeshing/thesis/edge_lengths.h"
+#include "nanocarbon/remeshing/thesis/local_optimiser.h"
+#include "nanocarbon/remeshing/thesis/low_pass_filter.h"
+#include "nanocarbon/remeshing/thesis/projection.h"
+#include "nanocarbon/remeshing/thesis/stellar_pass.h"
+#include "nanocarbon/remeshing/thesis/thesis_recipe.h"
+#include "nanocarbon/remeshing/thesis/valence_optimiser.h"
 #include "remeshing/shapes.h"
 #include "support/models.h"
 
@@ -32,10 +33,10 @@ TriangleMesh uneven_torus(std::int64_t triangles) {
   return mesh;
 }
 
-const LengthInterval interval = edge_interval(1.2, 1.8);
+const thesis::LengthInterval interval = thesis::edge_interval(1.2, 1.8);
 
-StellarOptions stellar_options() {
-  StellarOptions options;
+thesis::StellarOptions stellar_options() {
+  thesis::StellarOptions options;
   options.interval = interval;
   options.target_length = interval.mean();
   return options;
@@ -47,84 +48,84 @@ void per_triangle(benchmark::State& state, std::size_t triangles) {
 
 void Conversion(benchmark::State& state) {
   const TriangleMesh mesh = uneven_torus(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(to_triangulation(mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(thesis::to_triangulation(mesh));
   per_triangle(state, mesh.triangles.size());
 }
 
 void StellarPass(benchmark::State& state) {
-  const Triangulation start = to_triangulation(uneven_torus(state.range(0)));
+  const thesis::Triangulation start = thesis::to_triangulation(uneven_torus(state.range(0)));
   for (auto _ : state) {
     state.PauseTiming();
-    Triangulation mesh = start;
+    thesis::Triangulation mesh = start;
     state.ResumeTiming();
-    benchmark::DoNotOptimize(stellar_pass(mesh, stellar_options()));
+    benchmark::DoNotOptimize(thesis::stellar_pass(mesh, stellar_options()));
   }
   per_triangle(state, start.n_faces());
 }
 
 void ValenceOptimiser(benchmark::State& state) {
-  Triangulation start = to_triangulation(uneven_torus(state.range(0)));
-  stellar_pass(start, stellar_options());
+  thesis::Triangulation start = thesis::to_triangulation(uneven_torus(state.range(0)));
+  thesis::stellar_pass(start, stellar_options());
   for (auto _ : state) {
     state.PauseTiming();
-    Triangulation mesh = start;
+    thesis::Triangulation mesh = start;
     state.ResumeTiming();
-    benchmark::DoNotOptimize(optimise_valences(mesh, {}));
+    benchmark::DoNotOptimize(thesis::optimise_valences(mesh, {}));
   }
   per_triangle(state, start.n_faces());
 }
 
 void VertexStarsOf(benchmark::State& state) {
-  const Triangulation mesh = to_triangulation(uneven_torus(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(vertex_stars(mesh));
+  const thesis::Triangulation mesh = thesis::to_triangulation(uneven_torus(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(thesis::vertex_stars(mesh));
   per_triangle(state, mesh.n_faces());
 }
 
 void LowPassFilter(benchmark::State& state) {
   const TriangleMesh mesh = uneven_torus(state.range(0));
-  VertexStars stars = vertex_stars(to_triangulation(mesh));
-  for (auto _ : state) benchmark::DoNotOptimize(low_pass_filter(stars, 2));
+  thesis::VertexStars stars = thesis::vertex_stars(thesis::to_triangulation(mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(thesis::low_pass_filter(stars, 2));
   per_triangle(state, mesh.triangles.size());
 }
 
 void LocalOptimiser(benchmark::State& state) {
   // As after the low-pass filter has done its work: few edges are outside.
   const TriangleMesh mesh = uneven_torus(state.range(0));
-  VertexStars start = vertex_stars(to_triangulation(mesh));
-  for (int i = 0; i < 3; ++i) low_pass_filter(start, 2);
-  LocalOptions options;
+  thesis::VertexStars start = thesis::vertex_stars(thesis::to_triangulation(mesh));
+  for (int i = 0; i < 3; ++i) thesis::low_pass_filter(start, 2);
+  thesis::LocalOptions options;
   options.interval = interval;
   for (auto _ : state) {
     state.PauseTiming();
-    VertexStars stars = start;
+    thesis::VertexStars stars = start;
     state.ResumeTiming();
-    benchmark::DoNotOptimize(optimise_locally(stars, options));
+    benchmark::DoNotOptimize(thesis::optimise_locally(stars, options));
   }
   per_triangle(state, mesh.triangles.size());
 }
 
 void ProjectionMeshOf(benchmark::State& state) {
   const TriangleMesh mesh = uneven_torus(state.range(0));
-  for (auto _ : state) ProjectionMesh{mesh};
+  for (auto _ : state) thesis::ProjectionMesh{mesh};
   per_triangle(state, mesh.triangles.size());
 }
 
 void Projection(benchmark::State& state) {
   const TriangleMesh mesh = uneven_torus(state.range(0));
-  const ProjectionMesh projection(mesh);
-  VertexStars stars = vertex_stars(to_triangulation(mesh));
-  low_pass_filter(stars, 2);
+  const thesis::ProjectionMesh projection(mesh);
+  thesis::VertexStars stars = thesis::vertex_stars(thesis::to_triangulation(mesh));
+  thesis::low_pass_filter(stars, 2);
   for (auto _ : state) {
     std::vector<Vec3> points = stars.points;
-    benchmark::DoNotOptimize(project_points(points, projection, 5));
+    benchmark::DoNotOptimize(thesis::project_points(points, projection, 5));
   }
   per_triangle(state, mesh.triangles.size());
 }
 
 void WholeRecipe(benchmark::State& state) {
   const TriangleMesh mesh = uneven_torus(state.range(0));
-  ThesisResult result;
-  for (auto _ : state) result = remesh_by_thesis(mesh, {});
+  thesis::ThesisResult result;
+  for (auto _ : state) result = thesis::remesh_by_thesis(mesh, {});
   per_triangle(state, result.mesh.triangles.size());
   state.counters["iterations"] = result.iterations;
   state.counters["outside_percent"] = result.edges.percent_outside();
@@ -133,12 +134,12 @@ void WholeRecipe(benchmark::State& state) {
 void WholeRecipeOnTheBunny(benchmark::State& state) {
   if (test::models_folder().empty())
     return state.SkipWithError("set NANOCARBON_MODELS to a folder of meshes");
-  const TriangleMesh mesh = test::sized(load_surface(test::models_folder() / "bunny-71k.off").mesh,
+  const TriangleMesh mesh = test::sized(mesh::load_surface(test::models_folder() / "bunny-71k.off").mesh,
                                         static_cast<double>(state.range(0)));
-  ThesisOptions options;
+  thesis::ThesisOptions options;
   options.atoms = static_cast<std::size_t>(state.range(0));
-  ThesisResult result;
-  for (auto _ : state) result = remesh_by_thesis(mesh, options);
+  thesis::ThesisResult result;
+  for (auto _ : state) result = thesis::remesh_by_thesis(mesh, options);
   per_triangle(state, result.mesh.triangles.size());
   state.counters["iterations"] = result.iterations;
   state.counters["outside_percent"] = result.edges.percent_outside();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,11 +9,11 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/neighbours_within.h"
 #include "nanocarbon/mesh/mesh_topology.h"
-#include "nanocarbon/molecule/connected_pieces.h"
-#include "nanocarbon/structures/shapes.h"
+#include "nanocarbon/shapes/shapes.h"
+#include "nanocarbon/topology/connected_components.h"
 #include "remeshing/shapes.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 namespace {
 
 TriangleMesh joined(TriangleMesh one, const TriangleMesh& other, const Vec3& shift) {
@@ -35,7 +36,7 @@ TriangleMesh flattened(TriangleMesh mesh, double factor) {
 
 // A round plate of the given radius and thickness, with a half-round rim.
 TriangleMesh pill(double radius, double thickness) {
-  TriangleMesh mesh = make_sphere(1, 24);
+  TriangleMesh mesh = shapes::make_sphere(1, 24);
   const double rim = std::numbers::pi * thickness / 2, whole = 2 * radius + rim;
   for (Vec3& p : mesh.points) {
     const double along = std::acos(std::clamp(p.z(), -1.0, 1.0)) / std::numbers::pi * whole;
@@ -57,7 +58,7 @@ TriangleMesh tetrahedron() {
 // A ball of radius 20 with a finger of radius 3.5 that reaches 30 beyond it.
 TriangleMesh ball_with_finger() {
   constexpr double ball = 20, finger = 3.5, length = 30;
-  TriangleMesh mesh = make_sphere(1, 48);
+  TriangleMesh mesh = shapes::make_sphere(1, 48);
   const double neck = std::asin(finger / ball), foot = ball * std::cos(neck);
   // The ball's surface is drawn from the upper tenth of the sphere's half turn on; that tenth is the finger.
   constexpr double share = 0.1 * std::numbers::pi;
@@ -84,14 +85,14 @@ void expect_molecule_that_holds(const TriangleMesh& surface, std::size_t atoms, 
   BuildOptions options;
   options.force = force;
   options.size = AtomCount{atoms};
-  options.quality = AnnealQuality::draft;
+  options.quality = Quality::draft;
   const BuildResult result = build_molecule(surface, options);
   const Molecule& molecule = result.molecule;
   EXPECT_TRUE(result.annealed->intact);
   EXPECT_NEAR(static_cast<double>(molecule.size()), static_cast<double>(atoms),
               std::max(0.01 * static_cast<double>(atoms), 4.0));
-  const MeshTopology topology = mesh_topology(surface);
-  EXPECT_EQ(connected_pieces(molecule.size(), molecule.bonds).count, topology.pieces);
+  const mesh::MeshTopology topology = mesh::mesh_topology(surface);
+  EXPECT_EQ(topology::connected_components(molecule.size(), molecule.bonds).count, topology.components);
   // What REBO2 will see: the bonds and nothing else between 1.7 and 2.0 Angstrom.
   const NeighbourList near = neighbours_within(molecule.positions, nullptr, 2.0);
   EXPECT_EQ(near.neighbours.size(), 2 * molecule.bonds.size());
@@ -109,7 +110,8 @@ void expect_molecule_that_holds(const TriangleMesh& surface, std::size_t atoms, 
 }
 
 TEST(HardShapes, SmallCages) {
-  for (const std::size_t atoms : {60u, 80u, 120u}) expect_molecule_that_holds(make_sphere(1, 8), atoms);
+  for (const std::size_t atoms : {60u, 80u, 120u})
+    expect_molecule_that_holds(shapes::make_sphere(1, 8), atoms);
 }
 
 TEST(HardShapes, SharpEdgesAndCorners) {
@@ -118,7 +120,9 @@ TEST(HardShapes, SharpEdgesAndCorners) {
 }
 
 // 7 Angstrom thick in the middle, with a rim narrower than any tube.
-TEST(HardShapes, ALensWithASharpRim) { expect_molecule_that_holds(flattened(make_sphere(1, 10), 0.2), 800); }
+TEST(HardShapes, ALensWithASharpRim) {
+  expect_molecule_that_holds(flattened(shapes::make_sphere(1, 10), 0.2), 800);
+}
 
 // Sheets 2.5 Angstrom apart: refused, but with --force the molecule makes the room it needs.
 TEST(HardShapes, APlateThinnerThanTwoSheets) { expect_molecule_that_holds(pill(14, 2.5), 608, true); }
@@ -143,14 +147,16 @@ TEST(HardShapes, AThinFingerKeepsItsLength) {
 }
 
 TEST(HardShapes, PiecesBesideAndWithinEachOther) {
-  expect_molecule_that_holds(joined(make_sphere(1, 8), make_torus(2, 0.8, 0.2), Vec3(6, 0, 0)), 1200);
-  expect_molecule_that_holds(joined(make_sphere(1, 8), inside_out(make_sphere(0.6, 6)), Vec3::Zero()), 1500);
+  expect_molecule_that_holds(
+      joined(shapes::make_sphere(1, 8), shapes::make_torus(2, 0.8, 0.2), Vec3(6, 0, 0)), 1200);
+  expect_molecule_that_holds(
+      joined(shapes::make_sphere(1, 8), inside_out(shapes::make_sphere(0.6, 6)), Vec3::Zero()), 1500);
 }
 
 TEST(HardShapes, OpenSurfaces) {
-  expect_molecule_that_holds(make_hemisphere(1, 0.1), 300);
-  expect_molecule_that_holds(make_cylinder(1, 4, 0.2), 500);
+  expect_molecule_that_holds(shapes::make_hemisphere(1, 0.1), 300);
+  expect_molecule_that_holds(shapes::make_cylinder(1, 4, 0.2), 500);
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the default recipe reaches where the least energy is known: fullerenes, tubes, tori. Energies are
 // REBO2's, above graphene's, in meV for each atom.
 #include <gmock/gmock.h>
@@ -7,10 +8,10 @@
 
 #include "nanocarbon/building/build_molecule.h"
 #include "nanocarbon/mesh/nearest_point.h"
-#include "nanocarbon/rebo2/rebo2.h"
-#include "nanocarbon/structures/shapes.h"
+#include "nanocarbon/potential/rebo2/rebo2.h"
+#include "nanocarbon/shapes/shapes.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 namespace {
 
 constexpr double graphene = -7.3949972517;  // eV/atom: pair_style rebo, minimised
@@ -25,13 +26,13 @@ BuildResult built(const TriangleMesh& surface, const SizeRequest& size, std::uin
 
 // Of all atoms, by the full potential as LAMMPS evaluates it.
 double above_graphene(const Molecule& molecule) {
-  Rebo2 rebo2;
+  rebo2::Rebo2 rebo2;
   const double energy = rebo2.evaluate(molecule.positions, molecule.elements).energy;
   return 1e3 * (energy / static_cast<double>(molecule.size()) - graphene);
 }
 
 double mean_distance(const BuildResult& result) {
-  const NearestPoint surface(result.surface.mesh);
+  const mesh::NearestPoint surface(result.surface.mesh);
   double sum = 0;
   for (const Vec3& p : result.molecule.positions) sum += surface.nearest(p).distance;
   return sum / static_cast<double>(result.molecule.size());
@@ -56,7 +57,7 @@ class SphereTest : public testing::TestWithParam<Sphere> {};
 TEST_P(SphereTest, ComesCloseToTheIcosahedralFullerene) {
   double least = 1e3;
   for (std::uint64_t seed = 1; seed <= 2 && least > GetParam().icosahedral + 5; ++seed) {
-    const BuildResult result = built(make_sphere(1.0, 10), AtomCount{GetParam().atoms}, seed);
+    const BuildResult result = built(shapes::make_sphere(1.0, 10), AtomCount{GetParam().atoms}, seed);
     // Bending costs a sphere the same whatever the count: the energy of an atom goes with its inverse.
     const double count = static_cast<double>(result.molecule.size()) / static_cast<double>(GetParam().atoms);
     EXPECT_NEAR(count, 1, 0.01);
@@ -70,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Icosahedral, SphereTest, testing::Values(Sphere{540, 10
                          [](const auto& sphere) { return std::to_string(sphere.param.atoms); });
 
 TEST(KnownEnergies, ATorusOf2180AtomsHasAtMost65) {
-  const BuildResult result = built(make_torus(3.0, 1.2, 0.2), AtomCount{2180});
+  const BuildResult result = built(shapes::make_torus(3.0, 1.2, 0.2), AtomCount{2180});
   EXPECT_LT(above_graphene(result.molecule), 65);
   EXPECT_LT(mean_distance(result), 1);
   EXPECT_EQ(rings_outside_5_to_7(result.molecule), 0u);
@@ -79,10 +80,10 @@ TEST(KnownEnergies, ATorusOf2180AtomsHasAtMost65) {
 // Far from its caps, a capsule of the (10,10) tube's radius is a tube, though not always that one.
 TEST(KnownEnergies, ACapsulesCylinderIsATube) {
   constexpr double armchair = 39.1;  // the (10,10) tube, minimised by LAMMPS
-  const BuildResult result = built(make_capsule(6.8, 45.0, 0.8), UnitScale{1.0});
+  const BuildResult result = built(shapes::make_capsule(6.8, 45.0, 0.8), UnitScale{1.0});
   const Molecule& molecule = result.molecule;
-  Rebo2 rebo2;
-  const Rebo2Result& energies =
+  rebo2::Rebo2 rebo2;
+  const rebo2::Rebo2Result& energies =
       rebo2.evaluate(molecule.positions, molecule.elements, nullptr, {.atom_energies = true});
   double centre = 0;
   for (const Vec3& p : molecule.positions) centre += p.z() / static_cast<double>(molecule.size());
@@ -99,4 +100,4 @@ TEST(KnownEnergies, ACapsulesCylinderIsATube) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // `nanocarbon energy` as a user runs it.
 #include <gmock/gmock.h>
 
@@ -8,7 +9,7 @@
 
 #include "support/run_program.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 using nlohmann::json;
@@ -78,4 +79,4 @@ TEST(Energy, SaysWhatIsWrongAndExitsWithItsCode) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // `nanocarbon make` as a user runs it: what it writes, what it refuses, and that ASE reads it.
 #include <gmock/gmock.h>
 
@@ -5,14 +6,14 @@
 #include <sstream>
 #include <string>
 
+#include "nanocarbon/mesh/formats/load_surface.h"
 #include "nanocarbon/mesh/mesh_topology.h"
-#include "nanocarbon/mesh/surface.h"
-#include "nanocarbon/molecule/lammps_data.h"
-#include "nanocarbon/molecule/xyz.h"
+#include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/molecule/formats/xyz.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 using test::ProgramOutcome;
@@ -53,11 +54,11 @@ TEST(Make, StructuresHaveTheirAtomsAndBonds) {
     ASSERT_EQ(data.exit_code, 0) << data.output;
     EXPECT_THAT(data.output,
                 HasSubstr(std::to_string(c.atoms) + " atoms, " + std::to_string(c.bonds) + " bonds"));
-    const Molecule molecule = read_lammps_data(folder / "a.data").molecule;
+    const Molecule molecule = molecule::read_lammps_data(folder / "a.data").molecule;
     EXPECT_EQ(molecule.size(), c.atoms);
     EXPECT_EQ(molecule.bonds.size(), c.bonds);
     ASSERT_EQ(make(c.command + " --quiet -o " + (folder / "a.xyz").string()).output, "");
-    EXPECT_EQ(read_xyz(folder / "a.xyz").size(), c.atoms);
+    EXPECT_EQ(molecule::read_xyz(folder / "a.xyz").size(), c.atoms);
   }
 }
 
@@ -81,7 +82,7 @@ TEST(Make, AseReadsTheFiles) {
     const std::string data = (folder / "a.data").string(), xyz = (folder / "a.xyz").string();
     ASSERT_EQ(make(what + " -o " + data).exit_code, 0);
     ASSERT_EQ(make(what + " -o " + xyz).exit_code, 0);
-    const Molecule molecule = read_lammps_data(data).molecule;
+    const Molecule molecule = molecule::read_lammps_data(data).molecule;
     const std::string atoms = std::to_string(molecule.size()) + "\n";
     EXPECT_THAT(test::run_command(read + "data " + data + " molecular").output, StartsWith(atoms));
     EXPECT_THAT(test::run_command(read + "xyz " + xyz).output, StartsWith(atoms));
@@ -93,7 +94,7 @@ TEST(Make, ShapesAreSurfacesOfTheirGenus) {
   struct Shape {
     std::string command;
     std::int64_t genus;
-    std::size_t borders;
+    std::size_t boundaries;
   };
   for (const Shape& shape : {Shape{"sphere --subdivisions 5", 0, 0},
                              {"torus", 1, 0},
@@ -107,9 +108,9 @@ TEST(Make, ShapesAreSurfacesOfTheirGenus) {
       const std::string path = (folder / ("shape" + extension)).string();
       const ProgramOutcome outcome = make("mesh " + shape.command + " -o " + path);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-      const MeshTopology topology = mesh_topology(load_surface(path).mesh);
+      const mesh::MeshTopology topology = mesh::mesh_topology(mesh::load_surface(path).mesh);
       EXPECT_EQ(topology.genus, shape.genus);
-      EXPECT_EQ(topology.boundary_loops, shape.borders);
+      EXPECT_EQ(topology.boundary_loops, shape.boundaries);
     }
   }
 }
@@ -152,4 +153,4 @@ TEST(Make, SameCommandGivesTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

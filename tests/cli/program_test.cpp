@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Runs the program as a user does: exit codes, messages, files.
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -10,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-namespace nanocarbon {
+namespace nanocarbon::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,12 +111,12 @@ TEST_F(Program, WarnsWhereForcesStayAboveWhatWasAskedFor) {
 // A ribbon of 110 Angstrom bends at next to no cost: whether eigenvalues of the Hessian were missed below
 // those that were found cannot be told.
 TEST_F(Program, AMoleculeNotShownToBeAtAMinimumIsNotPassedOffAsCertified) {
-  constexpr int pieces = 40;
+  constexpr int components = 40;
   std::ostringstream ribbon;
-  ribbon << "OFF\n" << 2 * pieces + 2 << ' ' << 2 * pieces << " 0\n";
-  for (int k = 0; k <= pieces; ++k)
-    for (const int y : {0, 1}) ribbon << 12.0 * k / pieces << ' ' << y << " 0\n";
-  for (int a = 0; a < 2 * pieces; a += 2) {
+  ribbon << "OFF\n" << 2 * components + 2 << ' ' << 2 * components << " 0\n";
+  for (int k = 0; k <= components; ++k)
+    for (const int y : {0, 1}) ribbon << 12.0 * k / components << ' ' << y << " 0\n";
+  for (int a = 0; a < 2 * components; a += 2) {
     ribbon << "3 " << a << ' ' << a + 2 << ' ' << a + 1 << '\n';
     ribbon << "3 " << a + 1 << ' ' << a + 2 << ' ' << a + 3 << '\n';
   }
@@ -211,7 +212,7 @@ TEST_F(Program, AShapeThatTheThesisLosesIsNotPassedOffAsAMolecule) {
   EXPECT_EQ(run(build + " --force").exit_code, 0);
 }
 
-// The molecule of an open shape has its border too: as many boundary loops, and a triangle for each atom.
+// The molecule of an open shape has its boundary too: as many boundary loops, and a triangle for each atom.
 TEST_F(Program, ReportsTheTopologyOfOpenShapes) {
   std::string strip = "OFF\n42 40 0\n";
   for (int i = 0; i < 21; ++i)
@@ -362,4 +363,4 @@ TEST_F(Program, InspectNamesEveryReasonAgainstAMesh) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::cli

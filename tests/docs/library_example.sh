@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Installs the project to a folder of its own, and builds and runs examples/library with nothing but that.
 #
 #   library_example.sh BUILD_FOLDER SOURCE_FOLDER WORK_FOLDER

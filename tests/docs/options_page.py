@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Holds preprocessor/doc/options.md to what the program's --help prints: the same options with the same defaults.
 
     options_page.py PROGRAM PAGE

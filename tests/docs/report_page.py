@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Holds preprocessor/doc/report.md to the reports that the program writes: every key of theirs, and no other.
 
     report_page.py PROGRAM PAGE MESH FOLDER

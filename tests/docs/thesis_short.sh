@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # The experiments of examples/thesis in their short form: every part runs, and every row of its tables has a verdict.
 #
 #   thesis_short.sh SOURCE_FOLDER WORK_FOLDER PROGRAM HOST_PROGRAM PLUGIN

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs the commands of preprocessor/doc/tour.md one after the other, as a reader would, but shorter.
 
     tour.py PAGE SOURCE_FOLDER WORK_FOLDER PROGRAM_FOLDERS...

@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fuzz/check_mesh.h"
 
 #include <algorithm>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/formats/read_mesh.h"
 #include "nanocarbon/mesh/mesh_topology.h"
-#include "nanocarbon/mesh/read_mesh.h"
-#include "nanocarbon/mesh/surface.h"
+#include "nanocarbon/mesh/repair/repair_surface.h"
 
 namespace nanocarbon::test {
 namespace {
 
-std::string broken_by_soup(const PolygonSoup& soup) {
+std::string broken_by_soup(const mesh::PolygonSoup& soup) {
   if (!std::all_of(soup.points.begin(), soup.points.end(), [](const Vec3& p) { return p.allFinite(); }))
     return "a point is not finite";
   if (!std::all_of(soup.corners.begin(), soup.corners.end(),
@@ -26,21 +27,21 @@ std::string broken_by_soup(const PolygonSoup& soup) {
 // What LoadedSurface promises, asked of the mesh itself.
 std::string broken_by_surface(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return "a usable mesh has no triangles";
-  const std::string broken = broken_by_soup(soup_of(mesh));
+  const std::string broken = broken_by_soup(mesh::soup_of(mesh));
   if (!broken.empty()) return broken;
-  const MeshTopology topology = mesh_topology(mesh);
+  const mesh::MeshTopology topology = mesh::mesh_topology(mesh);
   if (!topology.manifold()) return "a usable mesh is not manifold";
   if (!topology.orientable || !topology.consistently_wound()) return "a usable mesh is not wound alike";
   if (topology.vertices != mesh.points.size()) return "a usable mesh has unused vertices";
   std::int64_t euler = 0;
-  for (const MeshPiece& piece : topology.piece) {
-    euler += piece.euler_characteristic();
-    const auto loops = static_cast<std::int64_t>(piece.boundary_loops);
-    if (piece.genus() < 0 || piece.euler_characteristic() != 2 - 2 * piece.genus() - loops)
+  for (const mesh::MeshComponent& component : topology.component) {
+    euler += component.euler_characteristic();
+    const auto loops = static_cast<std::int64_t>(component.boundary_loops);
+    if (component.genus() < 0 || component.euler_characteristic() != 2 - 2 * component.genus() - loops)
       return "Euler's formula";
   }
   if (euler != topology.euler_characteristic) return "Euler's formula over the pieces";
-  if (topology.pieces == 1 && topology.closed() && signed_volume(mesh) < 0.0)
+  if (topology.components == 1 && topology.closed() && mesh::signed_volume(mesh) < 0.0)
     return "a usable mesh is inside-out";
   return {};
 }
@@ -49,10 +50,10 @@ std::string broken_by_surface(const TriangleMesh& mesh) {
 
 std::string broken_promise(std::string_view contents, const std::string& file) {
   try {
-    const PolygonSoup soup = parse_mesh(contents, file);
+    const mesh::PolygonSoup soup = mesh::parse_mesh(contents, file);
     const std::string broken = broken_by_soup(soup);
     if (!broken.empty()) return broken;
-    const RepairedSurface repaired = repair_surface(soup);
+    const mesh::RepairedSurface repaired = mesh::repair_surface(soup);
     return repaired.diagnosis.usable() ? broken_by_surface(repaired.mesh) : std::string();
   } catch (const UserError& error) {
     return std::string_view(error.what()).find(file) == std::string_view::npos

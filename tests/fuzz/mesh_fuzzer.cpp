@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // For libFuzzer, built with clang and -DNANOCARBON_FUZZERS=ON:
 //   cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug
 //   -DNANOCARBON_FUZZERS=ON cmake --build build/fuzz --target fuzz_mesh build/fuzz/tests/fuzz/fuzz_mesh

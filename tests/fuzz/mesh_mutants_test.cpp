@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Thousands of damaged mesh files, always the same ones: each must be refused as the user's error or come out
 // as promised, without a crash, a hang, or an allocation that the file's size does not justify.
 #include <gmock/gmock.h>
@@ -6,9 +7,9 @@
 
 #include "fuzz/allocation_watch.h"
 #include "fuzz/check_mesh.h"
-#include "nanocarbon/mesh/mesh_colours.h"
+#include "nanocarbon/mesh/formats/mesh_colours.h"
+#include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/triangulate.h"
-#include "nanocarbon/mesh/write_mesh.h"
 #include "support/small_meshes.h"
 #include "support/temporary_folder.h"
 
@@ -25,13 +26,13 @@ struct Seed {
 // A small valid file of every format and variant.
 std::vector<Seed> seeds() {
   const test::TemporaryFolder folder;
-  const TriangleMesh cube = triangulate(test::cube(Vec3(0.25, -1, 3))).mesh;
-  const MeshColours colours = colours_by_quality(cube, 0.5, 1.2);
+  const TriangleMesh cube = mesh::triangulate(test::cube(Vec3(0.25, -1, 3))).mesh;
+  const mesh::MeshColours colours = mesh::colours_by_quality(cube, 0.5, 1.2);
   std::vector<Seed> result;
   for (const std::string name : {"a.off", "a.obj", "a.ply", "a.stl"})
     for (const bool text : {true, false})
       for (const bool coloured : {true, false}) {
-        write_mesh(folder / name, cube, {text, coloured ? &colours : nullptr});
+        mesh::write_mesh(folder / name, cube, {text, coloured ? &colours : nullptr});
         result.push_back({name, test::contents_of(folder / name)});
       }
   result.push_back(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief What fix bond/topology costs: steps of 10,000 atoms of graphene at 300 K with pair_style rebo,
 //! without and with the fix (N = 10), by turns in one run. Prints medians of CPU time. Not a test.
@@ -28,7 +29,7 @@ double median(std::vector<double> values) {
 
 void measure(int turns, int steps, const std::string& every) {
   nanocarbon::test::LammpsRun run;
-  run.read(nanocarbon::graphene(50, 50));
+  run.read(nanocarbon::structures::graphene(50, 50));
   run.commands({"velocity all create 600 4711", "fix move all nve", "run 200 post no"});
   std::vector<double> without;
   std::vector<double> with;

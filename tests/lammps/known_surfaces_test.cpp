@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief fix bond/topology on molecules whose topology is known, as they are and after a change made by
 //! hand.
@@ -29,7 +30,7 @@ std::vector<double> changes(LammpsRun& run) {
 std::vector<double> surface(LammpsRun& run) {
   std::vector<double> result;
   for (int k = 4; k <= 7; ++k) result.push_back(run.fix_vector("watch", k));
-  return result;  // pieces, Euler characteristic, genus, boundary loops
+  return result;  // components, Euler characteristic, genus, boundary loops
 }
 std::vector<double> rings(LammpsRun& run) {
   std::vector<double> result;
@@ -68,7 +69,7 @@ AtomIndex partner(const Molecule& molecule, AtomIndex atom) {
 
 TEST(KnownSurfaces, C60IsASphere) {
   LammpsRun run;
-  watch(run, fullerene(1, 1));
+  watch(run, structures::fullerene(1, 1));
   EXPECT_THAT(surface(run), ElementsAre(1, 2, 0, 0));
   EXPECT_THAT(rings(run), ElementsAre(12, 20, 0, 0));
   for (const auto& [id, coordination] : run.fix_column("watch", 1)) EXPECT_EQ(coordination, 3) << id;
@@ -78,7 +79,7 @@ TEST(KnownSurfaces, C60IsASphere) {
 
 TEST(KnownSurfaces, C540IsASphere) {
   LammpsRun run;
-  watch(run, fullerene(3, 3));
+  watch(run, structures::fullerene(3, 3));
   EXPECT_THAT(surface(run), ElementsAre(1, 2, 0, 0));
   EXPECT_THAT(rings(run), ElementsAre(12, 260, 0, 0));  // V - E + F = 2 with E = 3/2 V
   expect_still_intact_after_some_steps(run);
@@ -86,7 +87,7 @@ TEST(KnownSurfaces, C540IsASphere) {
 
 TEST(KnownSurfaces, OpenTubeIsAnAnnulus) {
   LammpsRun run;
-  watch(run, open_tube(10, 10, 20.0));
+  watch(run, structures::open_tube(10, 10, 20.0));
   EXPECT_THAT(surface(run), ElementsAre(1, 0, 0, 2));
   EXPECT_EQ(rings(run)[0], 0);
   EXPECT_EQ(rings(run)[2], 0);
@@ -96,7 +97,7 @@ TEST(KnownSurfaces, OpenTubeIsAnAnnulus) {
 
 TEST(KnownSurfaces, PeriodicTubeIsATorus) {
   LammpsRun run;
-  watch(run, periodic_tube(10, 10, 4));
+  watch(run, structures::periodic_tube(10, 10, 4));
   EXPECT_THAT(surface(run), ElementsAre(1, 0, 1, 0));
   EXPECT_THAT(rings(run), ElementsAre(0, 80, 0, 0));  // 160 atoms, half as many faces
   expect_still_intact_after_some_steps(run);
@@ -104,8 +105,8 @@ TEST(KnownSurfaces, PeriodicTubeIsATorus) {
 
 TEST(KnownSurfaces, PeriodicTubeOfOneCellIsATorus) {
   LammpsRun run;
-  watch(run,
-        periodic_tube(10, 10, 1));  // a cell of 2.46 Angstrom: atoms bonded to several images of one atom
+  watch(run, structures::periodic_tube(
+                 10, 10, 1));  // a cell of 2.46 Angstrom: atoms bonded to several images of one atom
   EXPECT_THAT(surface(run), ElementsAre(1, 0, 1, 0));
   EXPECT_THAT(rings(run), ElementsAre(0, 20, 0, 0));
   expect_still_intact_after_some_steps(run);
@@ -113,7 +114,7 @@ TEST(KnownSurfaces, PeriodicTubeOfOneCellIsATorus) {
 
 TEST(KnownSurfaces, PeriodicGrapheneIsATorus) {
   LammpsRun run;
-  watch(run, graphene(8, 5));
+  watch(run, structures::graphene(8, 5));
   EXPECT_THAT(surface(run), ElementsAre(1, 0, 1, 0));
   EXPECT_THAT(rings(run), ElementsAre(0, 80, 0, 0));
   expect_still_intact_after_some_steps(run);
@@ -149,7 +150,7 @@ TEST(KnownSurfaces, MoebiusBandIsNotOrientable) {
 }
 
 TEST(ChangedSurfaces, StoneWalesRotationInGrapheneIsHomeomorphic) {
-  const Molecule sheet = graphene(8, 5);
+  const Molecule sheet = structures::graphene(8, 5);
   LammpsRun run;
   watch(run, sheet);
   const AtomIndex first = 70;
@@ -164,7 +165,7 @@ TEST(ChangedSurfaces, StoneWalesRotationInGrapheneIsHomeomorphic) {
 }
 
 TEST(ChangedSurfaces, StoneWalesRotationInAFullereneIsHomeomorphic) {
-  const Molecule ball = fullerene(3, 3);
+  const Molecule ball = structures::fullerene(3, 3);
   LammpsRun run;
   watch(run, ball);
   // A bond whose atoms are in hexagons only, and so are its ends' rings.
@@ -186,7 +187,7 @@ TEST(ChangedSurfaces, StoneWalesRotationInAFullereneIsHomeomorphic) {
 }
 
 TEST(ChangedSurfaces, PulledOffAtomIsRepelled) {
-  const Molecule ball = fullerene(1, 1);
+  const Molecule ball = structures::fullerene(1, 1);
   LammpsRun run;
   watch(run, ball);
   run.place({{AtomIndex{16}, 2.5 * ball.positions[16]}});
@@ -199,7 +200,7 @@ TEST(ChangedSurfaces, PulledOffAtomIsRepelled) {
 }
 
 TEST(ChangedSurfaces, PulledOffAtomThatComesBackLeavesTheMoleculeIntact) {
-  const Molecule ball = fullerene(1, 1);
+  const Molecule ball = structures::fullerene(1, 1);
   LammpsRun run;
   watch(run, ball);
   run.place({{AtomIndex{16}, 2.5 * ball.positions[16]}});
@@ -211,7 +212,7 @@ TEST(ChangedSurfaces, PulledOffAtomThatComesBackLeavesTheMoleculeIntact) {
 }
 
 TEST(ChangedSurfaces, CutTubeIsTwoPieces) {
-  const Molecule tube = open_tube(10, 10, 20.0);
+  const Molecule tube = structures::open_tube(10, 10, 20.0);
   LammpsRun run;
   watch(run, tube);
   double middle = 0.0;
@@ -229,7 +230,7 @@ TEST(ChangedSurfaces, CutTubeIsTwoPieces) {
 }
 
 TEST(ChangedSurfaces, TwoShellsThatBondFaceToFaceAreNoSurface) {
-  const Molecule ball = fullerene(1, 1);
+  const Molecule ball = structures::fullerene(1, 1);
   LammpsRun run;
   watch(run, test::together(ball, ball, Vec3(0, 0, 11.0)));
   EXPECT_THAT(surface(run), ElementsAre(2, 4, 0, 0));
@@ -252,7 +253,7 @@ TEST(ChangedSurfaces, TwoShellsThatBondFaceToFaceAreNoSurface) {
 
 TEST(ChangedSurfaces, TwoTubesFusedEndToEndAreOneTube) {
   // One tube cut in two is brought together again: the start is the two halves.
-  const Molecule tube = open_tube(10, 10, 20.0);
+  const Molecule tube = structures::open_tube(10, 10, 20.0);
   Molecule apart = tube;
   double middle = 0.0;
   for (const Vec3& place : tube.positions) middle += place[2] / static_cast<double>(tube.size());
@@ -273,7 +274,7 @@ TEST(ChangedSurfaces, TwoTubesFusedEndToEndAreOneTube) {
 
 TEST(ChangedSurfaces, VacancyIsALostAtom) {
   LammpsRun run;
-  watch(run, graphene(8, 5));
+  watch(run, structures::graphene(8, 5));
   // Default compress yes: LAMMPS gives the remaining atoms new IDs. The file and the states go by those of
   // the start.
   run.commands({"group gone id 33", "delete_atoms group gone", "run 0 post no"});
@@ -285,14 +286,14 @@ TEST(ChangedSurfaces, VacancyIsALostAtom) {
 
 TEST(ChangedSurfaces, VacancyIsAHoleWhenRingsMustBeShorter) {
   LammpsRun run;
-  watch(run, graphene(8, 5), "maxring 11");
+  watch(run, structures::graphene(8, 5), "maxring 11");
   run.commands({"group gone id 33", "delete_atoms group gone compress no", "run 0 post no"});
   EXPECT_THAT(changes(run), ElementsAre(broken, 1, 3, 0));
   EXPECT_THAT(surface(run), ElementsAre(1, -1, 1, 1));
 }
 
 TEST(ChangedSurfaces, CrosslinkOfTwoSheetsIsNoSurface) {
-  const Molecule flake = graphene_flake(7.0);
+  const Molecule flake = structures::graphene_flake(7.0);
   const auto size = static_cast<AtomIndex>(flake.size());
   const Molecule two = test::together(flake, flake, Vec3(0, 0, 3.35));
   LammpsRun run;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "lammps/lammps_run.h"
 
 #include <mpi.h>
@@ -12,7 +13,7 @@
 #include "host/plugin_command.h"
 #include "input.h"
 #include "modify.h"
-#include "nanocarbon/molecule/lammps_data.h"
+#include "nanocarbon/molecule/formats/lammps_data.h"
 #include "update.h"
 
 namespace nanocarbon::test {
@@ -61,7 +62,7 @@ void LammpsRun::commands(const std::vector<std::string>& lines) {
 void LammpsRun::read(const Molecule& molecule, const std::string& pair,
                      const std::vector<std::string>& before) {
   const SharedFolder folder;
-  if (is_root()) write_lammps_data(folder / "molecule.data", molecule);
+  if (is_root()) molecule::write_lammps_data(folder / "molecule.data", molecule);
   MPI_Barrier(MPI_COMM_WORLD);
   std::string boundary = "boundary";
   for (int axis = 0; axis < 3; ++axis)

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # memory_check.sh LMP OBJECT CH.REBO C60.DATA: runs the fix on two ranks under valgrind, through all that touches memory,
 # and fails when a report has the plugin's code in it. (MPI has leaks of its own.)
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief GoogleTest's main for a program that mpirun starts on several ranks: all run every test, rank 0
 //! reports, and what fails on any rank fails.

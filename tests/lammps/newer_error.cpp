@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief What an object built for a LAMMPS of 2025 or later brings with it: there Error::all is inline and
 //! calls a function that LAMMPS before does not have.

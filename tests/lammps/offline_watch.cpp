@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "lammps/offline_watch.h"
 
 #include <algorithm>
@@ -7,8 +8,9 @@
 #include <stdexcept>
 
 #include "lammps/lammps_run.h"
-#include "nanocarbon/molecule/bond_graph.h"
-#include "nanocarbon/molecule/surface_topology.h"
+#include "nanocarbon/molecule/molecule_graph.h"
+#include "nanocarbon/topology/bond_graph.h"
+#include "nanocarbon/topology/surface_topology.h"
 
 namespace nanocarbon::test {
 namespace {
@@ -40,8 +42,8 @@ json difference_of_ids(const std::vector<bool>& marked, const std::vector<bool>&
   return result;
 }
 
-void add_surface(json& line, const SurfaceTopology& surface) {
-  line["pieces"] = surface.pieces.size();
+void add_surface(json& line, const topology::SurfaceTopology& surface) {
+  line["pieces"] = surface.components.size();
   line["surface"] = !surface.problem.has_value();
   if (surface.problem) return;
   line["euler_characteristic"] = surface.euler_characteristic;
@@ -86,14 +88,15 @@ std::vector<Frame> read_trajectory(const std::string& path, std::array<bool, 3> 
 std::vector<json> expected_lines(const std::vector<Frame>& frames) {
   std::vector<json> lines;
   std::vector<Bond> start, before;
-  SurfaceTopology first;
+  topology::SurfaceTopology first;
   std::vector<bool> repelled_before;
   for (const Frame& frame : frames) {
     Molecule molecule = frame.atoms;
-    molecule.bonds = bonds_within(molecule.positions, molecule.elements, &*molecule.cell, {}, before);
+    molecule.bonds =
+        topology::bonds_within(molecule.positions, molecule.elements, &*molecule.cell, {}, before);
     const std::vector<Bond> previous = without_images(std::exchange(before, molecule.bonds));
     const std::vector<Bond> bonds = without_images(molecule.bonds);
-    const SurfaceTopology surface = surface_topology(embedded_graph(molecule));
+    const topology::SurfaceTopology surface = topology::surface_topology(molecule::embedded_graph(molecule));
     json line = {{"step", frame.step}};
     if (lines.empty()) {
       line["event"] = "start";
@@ -104,9 +107,10 @@ std::vector<json> expected_lines(const std::vector<Frame>& frames) {
       repelled_before.assign(molecule.size(), false);
     } else {
       if (bonds == previous) continue;
-      const std::vector<bool> repelled = repelled_atoms(first.piece_of_atom, surface.piece_of_atom);
+      const std::vector<bool> repelled =
+          topology::repelled_atoms(first.component_of_atom, surface.component_of_atom);
       line["event"] = "change";
-      line["verdict"] = name(judge(first, surface, bonds == start).verdict);
+      line["verdict"] = name(topology::judge(first, surface, bonds == start).verdict);
       line["broken"] = pairs(difference(previous, bonds));
       line["formed"] = pairs(difference(bonds, previous));
       line["repelled"] = difference_of_ids(repelled, repelled_before);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief lmp-nanocarbon as a user runs it: the plugin command, and what fix bond/topology refuses.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief The plugin in a LAMMPS that has the PLUGIN package, by its own `plugin load`. The variable
 //! NANOCARBON_PLUGIN_LAMMPS names its lmp program; scripts/build-lammps-with-plugin.sh makes one.

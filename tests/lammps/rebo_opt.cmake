@@ -1,7 +1,8 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # The tests of pair_style rebo/opt.
-set(comparison ${PROJECT_SOURCE_DIR}/tests/rebo2/comparison_structures.cpp)
+set(comparison ${PROJECT_SOURCE_DIR}/tests/potential/rebo2/comparison_structures.cpp)
 nanocarbon_lammps_test(rebo_opt RANKS 1 2 4 SOURCES ${comparison} LINKS nanocarbon::rebo2)
-nanocarbon_lammps_test(rebo_opt_comparison RANKS 1 LINKS nanocarbon::rebo2 nanocarbon::building
+nanocarbon_lammps_test(rebo_opt_comparison RANKS 1 LINKS nanocarbon::rebo2 nanocarbon::building nanocarbon::mesh_formats
                        SOURCES ${comparison} ${PROJECT_SOURCE_DIR}/tests/support/lammps_reference.cpp)
 foreach(test rebo_opt rebo_opt_comparison)
   target_compile_definitions(test_lammps_${test} PRIVATE

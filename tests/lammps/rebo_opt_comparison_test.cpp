@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief pair_style rebo/opt and the library's own REBO2 against pair_style rebo, structure by structure,
 //! with everything that LAMMPS gives out.
@@ -5,10 +6,10 @@
 #include <gmock/gmock.h>
 
 #include "nanocarbon/building/build_molecule.h"
-#include "nanocarbon/mesh/surface.h"
-#include "nanocarbon/rebo2/parameter_file.h"
-#include "nanocarbon/rebo2/rebo2.h"
-#include "rebo2/comparison_structures.h"
+#include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/potential/rebo2/parameter_file.h"
+#include "nanocarbon/potential/rebo2/rebo2.h"
+#include "potential/rebo2/comparison_structures.h"
 #include "support/lammps_reference.h"
 
 namespace nanocarbon::test {
@@ -73,12 +74,12 @@ TEST(ReboOpt, SharesTheVirialOutAsReboDoes) {
 
 TEST(NativeRebo2, AgreesWithReboOnStructuresThatTheTableDoesNotHold) {
   LammpsReference lammps;
-  Rebo2 rebo2;
+  rebo2::Rebo2 rebo2;
   for (unsigned seed = 1000; seed < 1040; ++seed) {
     SCOPED_TRACE(seed);
     const Molecule m = random_cluster(seed);
     const LammpsEnergy rebo = lammps_energy(lammps, "rebo", m.positions, m.elements, nullptr);
-    const Rebo2Result& r =
+    const rebo2::Rebo2Result& r =
         rebo2.evaluate(m.positions, m.elements, nullptr, {.atom_energies = true, .atom_virials = true});
     expect_same({r.energy, r.forces, r.virial, r.atom_energies, r.atom_virials}, rebo, force_tolerance(m));
   }
@@ -88,15 +89,15 @@ TEST(NativeRebo2, AgreesWithReboOnStructuresThatTheTableDoesNotHold) {
 // As nanocarbon build makes them, draft ones: rings of 5 to 7 and curvature of both signs; at rest and hot.
 TEST(BuiltMolecules, AgreeInAllThree) {
   LammpsReference lammps(true);
-  Rebo2 rebo2;
+  rebo2::Rebo2 rebo2;
   for (const char* mesh : {"torus.off", "capsule.off"}) {
     SCOPED_TRACE(mesh);
-    BuildOptions options;
-    options.size = AtomCount{600};
-    options.quality = AnnealQuality::draft;
+    building::BuildOptions options;
+    options.size = building::AtomCount{600};
+    options.quality = Quality::draft;
     options.force = true;  // so small a torus has a thin ring
-    const auto surface = load_surface(std::string(NANOCARBON_EXAMPLES) + "/meshes/" + mesh);
-    Molecule m = build_molecule(surface.mesh, options).molecule;
+    const auto surface = mesh::load_surface(std::string(NANOCARBON_EXAMPLES) + "/meshes/" + mesh);
+    Molecule m = building::build_molecule(surface.mesh, options).molecule;
     for (const double distance : {0.0, 0.05, 0.15}) {
       SCOPED_TRACE(distance);
       rattle(m, distance, 7);
@@ -106,7 +107,7 @@ TEST(BuiltMolecules, AgreeInAllThree) {
       LammpsEnergy opt = lammps.evaluate(false);
       opt.atom_virials = rebo.atom_virials;
       expect_same(opt, rebo, force_tolerance(m));
-      const Rebo2Result& r =
+      const rebo2::Rebo2Result& r =
           rebo2.evaluate(m.positions, m.elements, nullptr, {.atom_energies = true, .atom_virials = true});
       expect_same({r.energy, r.forces, r.virial, r.atom_energies, r.atom_virials}, rebo, force_tolerance(m));
     }
@@ -115,7 +116,7 @@ TEST(BuiltMolecules, AgreeInAllThree) {
 
 TEST(NativeRebo2, DimersAndTrimersAgreeThroughTheCutoffWindow) {
   LammpsReference lammps;
-  Rebo2 rebo2;
+  rebo2::Rebo2 rebo2;
   using enum Element;
   for (const std::vector<Element>& elements :
        std::vector<std::vector<Element>>{{carbon, carbon},
@@ -132,17 +133,17 @@ TEST(NativeRebo2, DimersAndTrimersAgreeThroughTheCutoffWindow) {
       m.positions.resize(elements.size());
       SCOPED_TRACE(distance);
       const LammpsEnergy rebo = lammps_energy(lammps, "rebo", m.positions, m.elements, nullptr);
-      const Rebo2Result& r = rebo2.evaluate(m.positions, m.elements);
+      const rebo2::Rebo2Result& r = rebo2.evaluate(m.positions, m.elements);
       EXPECT_NEAR(r.energy, rebo.energy, 1e-8 * std::abs(rebo.energy) + 1e-14);
       EXPECT_LT(largest_difference(r.forces, rebo.forces), force_tolerance(m));
     }
 }
 
 TEST(ParameterFile, HoldsTheParametersOfTheLibrary) {
-  const Rebo2Parameters read = read_rebo2_parameters(NANOCARBON_CH_REBO);
-  const Rebo2Parameters& own = rebo2_parameters();
+  const rebo2::Rebo2Parameters read = rebo2::read_rebo2_parameters(NANOCARBON_CH_REBO);
+  const rebo2::Rebo2Parameters& own = rebo2::rebo2_parameters();
   for (int p = 0; p < 3; ++p) {
-    const PairParameters &a = read.pairs[p], &b = own.pairs[p];
+    const rebo2::PairParameters &a = read.pairs[p], &b = own.pairs[p];
     EXPECT_EQ(a.cutoff_begin, b.cutoff_begin);
     EXPECT_EQ(a.cutoff_end, b.cutoff_end);
     EXPECT_EQ(a.dihedral_cutoff_end, b.dihedral_cutoff_end);

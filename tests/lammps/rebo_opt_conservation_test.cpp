@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief Energy over 20,000 steps of molecular dynamics, rebo/opt beside rebo.
 
@@ -26,7 +27,7 @@ double total_energy(LammpsRun& run) {
 //! The largest distance of the total energy from its start, eV, looked at every 200 steps.
 double drift(const std::string& style) {
   LammpsRun run;
-  run.read(fullerene(1, 1), style);
+  run.read(structures::fullerene(1, 1), style);
   run.commands({"minimize 0 1e-6 200 2000", "reset_timestep 0",
                 "velocity all create 2000 7 mom yes rot yes loop geom", "timestep 0.0005", "fix 1 all nve",
                 "compute kinetic all ke", "thermo 200", "thermo_style custom step pe c_kinetic", "run 0"});

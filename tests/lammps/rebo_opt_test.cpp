@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief pair_style rebo/opt as input scripts use it, on one and several ranks.
 
@@ -13,7 +14,7 @@
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
 #include "pair.h"
-#include "rebo2/comparison_structures.h"
+#include "potential/rebo2/comparison_structures.h"
 
 namespace nanocarbon::test {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 //! A periodic sheet with holes, hydrogens on it and stretched bonds: fast, general and mixed bonds on every
 //! rank.
 Molecule mixed_sheet() {
-  Molecule m = graphene(14, 8);
+  Molecule m = structures::graphene(14, 8);
   for (const std::size_t i : {400u, 223u, 222u, 57u}) {
     m.positions.erase(m.positions.begin() + static_cast<std::ptrdiff_t>(i));
     m.elements.erase(m.elements.begin() + static_cast<std::ptrdiff_t>(i));
@@ -59,7 +60,7 @@ const std::vector<std::string> dynamics = {"velocity all create 600 81 loop geom
                                            "run 100"};
 
 TEST(ReboOpt, TrajectoriesStartOutAsThoseOfRebo) {
-  for (const Molecule& m : {mixed_sheet(), fullerene(3, 2)}) {
+  for (const Molecule& m : {mixed_sheet(), structures::fullerene(3, 2)}) {
     const auto rebo = trajectory_end(m, "rebo", dynamics);
     const auto ours = trajectory_end(m, "rebo/opt", dynamics);
     ASSERT_EQ(ours.size(), m.size());
@@ -85,7 +86,7 @@ TEST(ReboOpt, TrajectoriesAgreeWithFrequentReneighbouringSortingAndMigration) {
 TEST(ReboOpt, SuffixOptTurnsReboIntoIt) {
   LammpsRun run;
   run.command("suffix opt");
-  run.read(fullerene(1, 1), "rebo");
+  run.read(structures::fullerene(1, 1), "rebo");
   EXPECT_NE(run.lammps().force->pair_match("rebo/opt", 1), nullptr);
   run.command("run 0");
   // C60 of springs, not relaxed; at most an eV an atom above REBO's minimum of -410.5 eV, and never below.
@@ -95,14 +96,14 @@ TEST(ReboOpt, SuffixOptTurnsReboIntoIt) {
 
 TEST(ReboOpt, MinimisesToTheKnownEnergyOfC60) {
   LammpsRun run;
-  run.read(fullerene(1, 1), "rebo/opt");
+  run.read(structures::fullerene(1, 1), "rebo/opt");
   run.command("minimize 0 1e-9 1000 10000");
   EXPECT_NEAR(energy(run) / 60.0, -6.8420645371, 1e-9);
 }
 
 TEST(ReboOpt, RelaxesTheBoxOfGraphene) {
   LammpsRun run;
-  Molecule m = graphene(6, 4);
+  Molecule m = structures::graphene(6, 4);
   const Mat3 strain = Vec3(1.01, 0.985, 1.0).asDiagonal();
   m.cell->vectors = strain * m.cell->vectors;
   for (Vec3& p : m.positions) p = strain * p;
@@ -171,7 +172,7 @@ TEST(ReboOpt, GivesThePressureOfReboAlsoUnderHybrid) {
 
 TEST(ReboOpt, GivesComputePairTheEnergyOfRebo) {
   LammpsRun run;
-  run.read(fullerene(1, 1), "rebo/opt");
+  run.read(structures::fullerene(1, 1), "rebo/opt");
   run.commands({"compute parts all pair rebo/opt",
                 "thermo_style custom step pe c_parts[1] c_parts[2] c_parts[3]", "run 0"});
   auto* parts = run.lammps().modify->compute[run.lammps().modify->find_compute("parts")];

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "lammps/test_molecules.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
-#include "nanocarbon/molecule/bond_graph.h"
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/tube.h"
+#include "nanocarbon/topology/bond_graph.h"
 
 namespace nanocarbon::test {
 
@@ -14,12 +15,12 @@ using std::numbers::pi;
 
 void bond_by_distance(Molecule& molecule) {
   const Cell* const cell = molecule.cell ? &*molecule.cell : nullptr;
-  molecule.bonds = bonds_within(molecule.positions, molecule.elements, cell);
+  molecule.bonds = topology::bonds_within(molecule.positions, molecule.elements, cell);
   molecule.rings = {};
 }
 
 Molecule torus_molecule(int n, int periods) {
-  Molecule molecule = periodic_tube(n, n, periods);
+  Molecule molecule = structures::periodic_tube(n, n, periods);
   const Cell cell = *molecule.cell;
   molecule.cell.reset();
   const Vec3 middle(cell.origin[0] + cell.vectors(0, 0) / 2, cell.origin[1] + cell.vectors(1, 1) / 2, 0.0);
@@ -55,7 +56,7 @@ Molecule moebius_band(int chains, int hexagons) {
 }
 
 Molecule flake_with_two_holes() {
-  const Molecule flake = graphene_flake(16.0);
+  const Molecule flake = structures::graphene_flake(16.0);
   Vec3 middle = Vec3::Zero();
   for (const Vec3& place : flake.positions) middle += place / static_cast<double>(flake.size());
   Molecule result;

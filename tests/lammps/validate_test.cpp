@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief examples/validate.in as a user runs it, on data files of molecules and of periodic sheets.
 
@@ -7,7 +8,7 @@
 #include <sstream>
 
 #include "lammps/scripts.h"
-#include "nanocarbon/molecule/lammps_data.h"
+#include "nanocarbon/molecule/formats/lammps_data.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
 
@@ -20,7 +21,7 @@ using testing::Not;
 // The data file that this project writes of a molecule; without its comments it is as other tools write it.
 std::string data_file(const Molecule& molecule, bool comments) {
   std::stringstream lines;
-  write_lammps_data(lines, molecule);
+  molecule::write_lammps_data(lines, molecule);
   std::string text;
   for (std::string line; std::getline(lines, line);)
     if (comments || !line.starts_with("#")) text += line + "\n";
@@ -39,7 +40,7 @@ test::ScriptResult validate(const Molecule& molecule, bool comments, const std::
 
 TEST(Validate, AMoleculeIsInFreeSpace) {
   for (const bool comments : {true, false}) {
-    const test::ScriptResult result = validate(fullerene(1, 1), comments);
+    const test::ScriptResult result = validate(structures::fullerene(1, 1), comments);
     EXPECT_EQ(result.exit_code, 0) << result.output;
     EXPECT_THAT(result.output, HasSubstr("orientable, genus 0, 0 boundary loops"));
     EXPECT_THAT(result.output, HasSubstr("verdict: intact, 0 atoms repelled"));
@@ -50,14 +51,14 @@ TEST(Validate, AMoleculeIsInFreeSpace) {
 }
 
 TEST(Validate, ASheetIsPeriodicWhereItsFileSaysSo) {
-  const test::ScriptResult result = validate(graphene(4, 3), true);
+  const test::ScriptResult result = validate(structures::graphene(4, 3), true);
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_THAT(result.output, HasSubstr("orientable, genus 1, 0 boundary loops"));
   EXPECT_THAT(result.output, HasSubstr("verdict: intact, 0 atoms repelled"));
 }
 
 TEST(Validate, ASheetIsPeriodicWhereTheCommandLineSaysSo) {
-  const test::ScriptResult result = validate(graphene(4, 3), false, "-var boundary 'p p f'");
+  const test::ScriptResult result = validate(structures::graphene(4, 3), false, "-var boundary 'p p f'");
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_THAT(result.output, HasSubstr("orientable, genus 1, 0 boundary loops"));
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 //! \file
 //! \brief fix bond/topology in dynamics: the file says what the library computes from the trajectory, and
 //! says the same however the run is made.
@@ -41,7 +42,7 @@ std::vector<json> lines_of_file(const std::string& path) { return test::parsed(t
 std::vector<json> hot_ball(const Commands& after_box, const Commands& commands) {
   const SharedFolder folder;
   LammpsRun run;
-  run.read(fullerene(1, 1), "rebo", after_box);
+  run.read(structures::fullerene(1, 1), "rebo", after_box);
   heat(run, 5500);
   run.command("fix watch all bond/topology 10 file " + folder / "changes.jsonl");
   run.commands(commands);
@@ -51,7 +52,7 @@ std::vector<json> hot_ball(const Commands& after_box, const Commands& commands) 
 TEST(WatchedRun, EveryChangeOfAHotFullereneIsWhatTheLibraryComputesFromTheTrajectory) {
   const SharedFolder folder;
   LammpsRun run;
-  run.read(fullerene(1, 1));
+  run.read(structures::fullerene(1, 1));
   heat(run, 5500);
   run.command("fix watch all bond/topology 5 file " + folder / "changes.jsonl");
   dump_every_look(run, folder / "frames", 5);
@@ -65,7 +66,7 @@ TEST(WatchedRun, EveryChangeOfAHotFullereneIsWhatTheLibraryComputesFromTheTrajec
 TEST(WatchedRun, EveryChangeOfAHotPeriodicTubeIsWhatTheLibraryComputesFromTheTrajectory) {
   const SharedFolder folder;
   LammpsRun run;
-  run.read(periodic_tube(5, 5, 8));
+  run.read(structures::periodic_tube(5, 5, 8));
   heat(run, 5500);
   run.command("fix watch all bond/topology 5 file " + folder / "changes.jsonl");
   dump_every_look(run, folder / "frames", 5);
@@ -83,7 +84,7 @@ TEST(WatchedRun, ARerunOfTheTrajectorySaysTheSame) {
                     "dump_modify frames format line \"" + all_digits + "\"", "run 600 post no"});
   ASSERT_GT(changes.size(), 3u);
   LammpsRun run;
-  run.read(fullerene(1, 1));
+  run.read(structures::fullerene(1, 1));
   run.commands({"fix watch all bond/topology 10 file " + folder / "again.jsonl",
                 "rerun " + folder / "frames" + " post no dump x y z"});
   EXPECT_EQ(lines_of_file(folder / "again.jsonl"), changes);
@@ -103,7 +104,7 @@ TEST(WatchedRun, SortingAtomsChangesNothing) {
   // Sorting changes the order of sums, so the trajectory; what is said of it must still be right.
   const SharedFolder folder;
   LammpsRun run;
-  run.read(fullerene(1, 1), "rebo", {"atom_modify sort 20 3.0"});
+  run.read(structures::fullerene(1, 1), "rebo", {"atom_modify sort 20 3.0"});
   heat(run, 5500);
   run.command("fix watch all bond/topology 10 file " + folder / "changes.jsonl");
   dump_every_look(run, folder / "frames", 10);
@@ -138,7 +139,7 @@ TEST(WatchedRun, ARestartGoesOnFromTheSameStart) {
   std::map<std::int64_t, double> states;
   {
     LammpsRun run;
-    run.read(fullerene(1, 1));
+    run.read(structures::fullerene(1, 1));
     heat(run, 5500);
     run.commands({"fix watch all bond/topology 10", "run 600 post no", "write_restart " + file});
     broken = run.fix_vector("watch", 2);
@@ -161,7 +162,7 @@ TEST(WatchedRun, ARestartGoesOnFromTheSameStart) {
 TEST(WatchedRun, HaltStopsTheRunAtTheFirstBrokenBond) {
   const SharedFolder folder;
   LammpsRun run;
-  run.read(fullerene(1, 1));
+  run.read(structures::fullerene(1, 1));
   heat(run, 5500);
   run.commands(
       {"fix watch all bond/topology 10 halt yes file " + folder / "changes.jsonl", "run 5000 post no"});
@@ -177,7 +178,7 @@ TEST(WatchedRun, MinimisationIsSeenAtItsEnd) {
   // A bond stretched beyond repair: the minimiser lets the two halves of the dimer of atoms go apart or come
   // together, and the fix says what the bonds are then.
   const SharedFolder folder;
-  const Molecule ball = fullerene(1, 1);
+  const Molecule ball = structures::fullerene(1, 1);
   LammpsRun run;
   run.read(ball);
   run.commands({"fix watch all bond/topology 10 file " + folder / "changes.jsonl", "run 0 post no"});

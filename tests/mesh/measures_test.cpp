@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/measures.h"
 
 #include <gmock/gmock.h>
@@ -7,7 +8,7 @@
 #include "nanocarbon/mesh/triangulate.h"
 #include "support/small_meshes.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 TEST(Measures, AreThoseOfTheUnitCube) {
@@ -32,4 +33,4 @@ TEST(Measures, AnEmptyBoxHasNoExtent) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/mesh_topology.h"
 
 #include <gmock/gmock.h>
@@ -5,7 +6,7 @@
 #include "nanocarbon/mesh/triangulate.h"
 #include "support/small_meshes.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 using testing::ElementsAre;
@@ -20,7 +21,7 @@ TEST(MeshTopology, ATetrahedronIsASphere) {
   EXPECT_EQ(topology.edges, 6u);
   EXPECT_EQ(topology.faces, 4u);
   EXPECT_EQ(topology.euler_characteristic, 2);
-  EXPECT_EQ(topology.pieces, 1u);
+  EXPECT_EQ(topology.components, 1u);
   EXPECT_EQ(topology.genus, 0);
   EXPECT_TRUE(topology.closed() && topology.orientable && topology.manifold() &&
               topology.consistently_wound());
@@ -63,12 +64,12 @@ TEST(MeshTopology, HolesAreBoundaryLoops) {
 TEST(MeshTopology, PiecesHaveTheirOwnGenus) {
   const MeshTopology topology =
       mesh_topology(test::together(triangulate(test::torus(6, 5)).mesh, test::tetrahedron(Vec3(9, 9, 9))));
-  ASSERT_EQ(topology.pieces, 2u);
-  EXPECT_EQ(topology.piece[0].genus(), 1);
-  EXPECT_EQ(topology.piece[1].genus(), 0);
+  ASSERT_EQ(topology.components, 2u);
+  EXPECT_EQ(topology.component[0].genus(), 1);
+  EXPECT_EQ(topology.component[1].genus(), 0);
   EXPECT_EQ(topology.genus, 1);
   EXPECT_EQ(topology.euler_characteristic, 2);
-  EXPECT_EQ(topology.piece_of_face.back(), 1u);
+  EXPECT_EQ(topology.component_of_face.back(), 1u);
 }
 
 TEST(MeshTopology, AMoebiusStripAndAKleinBottleAreNotOrientable) {
@@ -88,7 +89,7 @@ TEST(MeshTopology, AMoebiusStripAndAKleinBottleAreNotOrientable) {
   const MeshTopology moebius = topology_of(strip);
   EXPECT_FALSE(moebius.orientable);
   EXPECT_EQ(moebius.boundary_loops, 1u);
-  EXPECT_EQ(moebius.piece[0].genus(), 1);  // one cross-cap
+  EXPECT_EQ(moebius.component[0].genus(), 1);  // one cross-cap
 
   // A torus whose last column is joined the other way round.
   PolygonSoup klein;
@@ -106,7 +107,7 @@ TEST(MeshTopology, AMoebiusStripAndAKleinBottleAreNotOrientable) {
   EXPECT_FALSE(bottle.orientable);
   EXPECT_TRUE(bottle.closed());
   EXPECT_EQ(bottle.euler_characteristic, 0);
-  EXPECT_EQ(bottle.piece[0].genus(), 2);  // two cross-caps
+  EXPECT_EQ(bottle.component[0].genus(), 2);  // two cross-caps
 }
 
 TEST(MeshTopology, OneTurnedFaceIsNoQuestionOfOrientability) {
@@ -130,17 +131,17 @@ TEST(MeshTopology, NonManifoldPlacesAreFound) {
   const TriangleMesh vertex = rename(edge, 4, 0);
   EXPECT_THAT(mesh_topology(vertex).non_manifold_vertices, ElementsAre(0));
   EXPECT_THAT(mesh_topology(vertex).non_manifold_edges, IsEmpty());
-  EXPECT_EQ(mesh_topology(vertex).pieces, 2u);
+  EXPECT_EQ(mesh_topology(vertex).components, 2u);
   edge = rename(vertex, 5, 1);
   EXPECT_THAT(mesh_topology(edge).non_manifold_edges, SizeIs(1));
-  EXPECT_EQ(mesh_topology(edge).pieces, 1u);
+  EXPECT_EQ(mesh_topology(edge).components, 1u);
 }
 
 TEST(MeshTopology, NothingIsNothing) {
   const MeshTopology topology = mesh_topology(TriangleMesh{});
-  EXPECT_EQ(topology.pieces, 0u);
+  EXPECT_EQ(topology.components, 0u);
   EXPECT_FALSE(topology.closed());
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/nearest_point.h"
 
 #include <gmock/gmock.h>
@@ -9,7 +10,7 @@
 #include "nanocarbon/mesh/triangulate.h"
 #include "support/small_meshes.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 std::vector<Vec3> random_points(std::size_t n, double extent, std::uint64_t seed) {
@@ -134,4 +135,4 @@ TEST(NearestPoint, QueriesOfSeveralThreadsAgree) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

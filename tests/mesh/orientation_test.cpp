@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/orientation.h"
 
 #include <gmock/gmock.h>
@@ -5,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 // Small integers, for which the determinant is exact in 64-bit arithmetic.
@@ -81,4 +82,4 @@ TEST(Orientation, TurnsWithTheOrderOfThePoints) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/self_intersections.h"
 
 #include <gmock/gmock.h>
@@ -8,7 +9,7 @@
 #include "nanocarbon/mesh/triangulate.h"
 #include "support/small_meshes.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 using testing::IsEmpty;
@@ -104,4 +105,4 @@ TEST(SelfIntersections, AHeapOfTrianglesAtOnePlaceIsGivenUpAndSaidSo) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

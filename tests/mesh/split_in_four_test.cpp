@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/split_in_four.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "support/small_meshes.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 TEST(SplitInFour, KeepsTheSurface) {
@@ -27,4 +28,4 @@ TEST(SplitInFour, KeepsTheSurface) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/triangulate.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +12,7 @@
 #include "nanocarbon/mesh/self_intersections.h"
 #include "support/small_meshes.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 PolygonSoup one_face(std::vector<Vec3> points) {
@@ -173,4 +174,4 @@ TEST(Triangulate, LargePolygonsTakeBoundedTime) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

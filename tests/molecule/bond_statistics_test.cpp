@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/molecule/bond_statistics.h"
 
 #include <gmock/gmock.h>
@@ -8,7 +9,7 @@
 #include "molecule/shapes.h"
 #include "nanocarbon/molecule/dual.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 namespace {
 
 TEST(BondStatistics, OfKnownLengths) {
@@ -51,4 +52,4 @@ TEST(BondStatistics, CrossPeriodicBoundaries) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "molecule/cases.h"
 
 #include <Eigen/Geometry>
@@ -10,8 +11,9 @@
 #include <set>
 
 #include "molecule/shapes.h"
-#include "nanocarbon/molecule/bond_graph.h"
 #include "nanocarbon/molecule/dual.h"
+#include "nanocarbon/molecule/molecule_graph.h"
+#include "nanocarbon/topology/bond_graph.h"
 
 namespace nanocarbon::test {
 namespace {
@@ -83,7 +85,7 @@ Molecule with_bonds_by_distance(Molecule molecule) {
 
 Molecule with_updated_bonds(Molecule molecule) {
   const Cell* cell = molecule.cell ? &*molecule.cell : nullptr;
-  molecule.bonds = bonds_within(molecule.positions, molecule.elements, cell, {}, molecule.bonds);
+  molecule.bonds = topology::bonds_within(molecule.positions, molecule.elements, cell, {}, molecule.bonds);
   molecule.rings = {};
   return molecule;
 }
@@ -154,7 +156,7 @@ Molecule stone_wales(const Molecule& molecule, AtomIndex first, AtomIndex second
   Molecule result = molecule;
   const Vec3 middle = 0.5 * (molecule.positions[first] + molecule.positions[second]);
   Vec3 normal = Vec3::Zero();
-  const EmbeddedGraph graph = embedded_graph(molecule);
+  const topology::EmbeddedGraph graph = molecule::embedded_graph(molecule);
   for (const AtomIndex atom : {first, second}) {
     const std::uint32_t row = graph.offsets[atom];
     const Vec3 n =
@@ -190,7 +192,7 @@ Molecule twisted_band(int half_twists) {
       mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + far, j + 1)});
       mesh.triangles.push_back({vertex(i + 1 - far, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
     }
-  return dual(scaled_to_carbon(mesh));
+  return molecule::dual(scaled_to_carbon(mesh));
 }
 
 Molecule klein_bottle() {
@@ -207,7 +209,7 @@ Molecule klein_bottle() {
     const int row = i >= columns ? 2 * rows - j : j;  // a turn around takes v to -v
     return static_cast<VertexIndex>(rows * (i % columns) + row % rows);
   });
-  return dual(scaled_to_carbon(mesh));
+  return molecule::dual(scaled_to_carbon(mesh));
 }
 
 Molecule handles(int genus) {
@@ -219,13 +221,13 @@ Molecule handles(int genus) {
         const bool hole = x % 8 >= 4 && x % 8 < 8 && y >= 4 && y < 8;
         if (!hole) cubes.insert({x, y, z});
       }
-  return dual(scaled_to_carbon(surface_of_cubes(cubes)));
+  return molecule::dual(scaled_to_carbon(surface_of_cubes(cubes)));
 }
 
-SurfaceTopology topology(const Molecule& molecule, int max_ring) {
-  TopologyOptions options;
+topology::SurfaceTopology topology(const Molecule& molecule, int max_ring) {
+  topology::TopologyOptions options;
   options.max_ring = max_ring;
-  return surface_topology(embedded_graph(molecule), options);
+  return topology::surface_topology(molecule::embedded_graph(molecule), options);
 }
 
 }  // namespace nanocarbon::test

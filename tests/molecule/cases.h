@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstdint>
 
 #include "nanocarbon/molecule/molecule.h"
-#include "nanocarbon/molecule/surface_topology.h"
+#include "nanocarbon/topology/surface_topology.h"
 
 namespace nanocarbon::test {
 
@@ -40,6 +41,6 @@ Molecule klein_bottle();
 //! A closed surface with as many handles as blocks with a hole stand in a row.
 Molecule handles(int genus);
 
-SurfaceTopology topology(const Molecule& molecule, int max_ring = 12);
+topology::SurfaceTopology topology(const Molecule& molecule, int max_ring = 12);
 
 }  // namespace nanocarbon::test

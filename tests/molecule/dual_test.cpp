@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/molecule/dual.h"
 
 #include <gmock/gmock.h>
@@ -7,9 +8,9 @@
 
 #include "molecule/shapes.h"
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/molecule/connected_pieces.h"
+#include "nanocarbon/topology/connected_components.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 namespace {
 
 std::map<std::size_t, int> ring_sizes(const Molecule& molecule) {
@@ -123,10 +124,10 @@ TEST(Dual, OfNothingIsNothing) { EXPECT_EQ(dual({}).size(), 0u); }
 
 TEST(ConnectedPieces, AreNumberedByTheirLowestAtom) {
   const std::vector<Bond> bonds = {{1, 4}, {0, 3}, {3, 5}, {4, 6}};
-  const Pieces pieces = connected_pieces(8, bonds);
-  EXPECT_EQ(pieces.count, 4u);
-  EXPECT_THAT(pieces.of_atom, testing::ElementsAre(0, 1, 2, 0, 1, 0, 1, 3));
+  const topology::Components components = topology::connected_components(8, bonds);
+  EXPECT_EQ(components.count, 4u);
+  EXPECT_THAT(components.of_atom, testing::ElementsAre(0, 1, 2, 0, 1, 0, 1, 3));
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/molecule/hydrogens.h"
 
 #include <gmock/gmock.h>
 
 #include "molecule/cases.h"
-#include "nanocarbon/molecule/bond_graph.h"
 #include "nanocarbon/molecule/bond_statistics.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/tube.h"
+#include "nanocarbon/topology/bond_graph.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 namespace {
 
 std::size_t hydrogens(const Molecule& m) {
@@ -24,19 +25,19 @@ Molecule carbons(std::vector<Vec3> positions) {
 }
 
 TEST(Hydrogens, TheSmallestFlakesAreBenzeneAndCoronene) {
-  const Molecule benzene = saturated_with_hydrogen(graphene_flake(1.5));
+  const Molecule benzene = saturated_with_hydrogen(structures::graphene_flake(1.5));
   EXPECT_EQ(benzene.size(), 12u);
   EXPECT_EQ(hydrogens(benzene), 6u);
   const Spread angles = spread(bond_angles(benzene));
   EXPECT_NEAR(angles.min, 120.0, 1e-6);
   EXPECT_NEAR(angles.max, 120.0, 1e-6);
-  const Molecule coronene = saturated_with_hydrogen(graphene_flake(4.0));
+  const Molecule coronene = saturated_with_hydrogen(structures::graphene_flake(4.0));
   EXPECT_EQ(coronene.size() - hydrogens(coronene), 24u);
   EXPECT_EQ(hydrogens(coronene), 12u);
 }
 
 TEST(Hydrogens, BondsAreAsLongAsAskedForAndAreThoseOfTheirDistances) {
-  const Molecule bare = open_tube(8, 4, 20.0), tube = saturated_with_hydrogen(bare);
+  const Molecule bare = structures::open_tube(8, 4, 20.0), tube = saturated_with_hydrogen(bare);
   EXPECT_TRUE(test::with_bonds_by_distance(tube).bonds == tube.bonds);
   for (std::size_t b = 0; b < tube.bonds.size(); ++b)
     if (tube.elements[tube.bonds[b].second] == Element::hydrogen) {
@@ -44,7 +45,7 @@ TEST(Hydrogens, BondsAreAsLongAsAskedForAndAreThoseOfTheirDistances) {
     }
   EXPECT_THAT(test::topology(tube).coordination,
               testing::Each(testing::AnyOf(testing::Eq(3), testing::Eq(1))));  // carbon, hydrogen
-  EXPECT_EQ(test::topology(tube).pieces, test::topology(bare).pieces);
+  EXPECT_EQ(test::topology(tube).components, test::topology(bare).components);
 }
 
 TEST(Hydrogens, OneBondGetsTwoInThePlaneOfTheOtherAtom) {
@@ -61,9 +62,9 @@ TEST(Hydrogens, OneBondGetsTwoInThePlaneOfTheOtherAtom) {
 }
 
 TEST(Hydrogens, WholeMoleculesStayAsTheyAre) {
-  EXPECT_EQ(saturated_with_hydrogen(fullerene(1, 1)).size(), 60u);
-  EXPECT_EQ(saturated_with_hydrogen(graphene(3, 2)).size(), graphene(3, 2).size());
-  const Molecule once = saturated_with_hydrogen(graphene_flake(6.0));
+  EXPECT_EQ(saturated_with_hydrogen(structures::fullerene(1, 1)).size(), 60u);
+  EXPECT_EQ(saturated_with_hydrogen(structures::graphene(3, 2)).size(), structures::graphene(3, 2).size());
+  const Molecule once = saturated_with_hydrogen(structures::graphene_flake(6.0));
   EXPECT_EQ(saturated_with_hydrogen(once).size(), once.size());
   EXPECT_EQ(saturated_with_hydrogen({}).size(), 0u);
 }
@@ -76,4 +77,4 @@ TEST(Hydrogens, LoneAtomsAndStraightChainsToo) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/molecule/ring_mesh.h"
 
 #include <gmock/gmock.h>
@@ -9,7 +10,7 @@
 #include "molecule/shapes.h"
 #include "nanocarbon/molecule/dual.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 namespace {
 
 double area(const TriangleMesh& mesh) {
@@ -47,4 +48,4 @@ TEST(RingMesh, CoversAFlatSheetsRings) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "molecule/shapes.h"
 
 #include <Eigen/Geometry>
@@ -116,7 +117,7 @@ TriangleMesh without_vertices(const TriangleMesh& mesh, const std::vector<Vertex
 }
 
 TriangleMesh scaled_to_carbon(TriangleMesh mesh) {
-  const double scale = 1.42 / spread(bond_lengths(dual(mesh))).mean;
+  const double scale = 1.42 / molecule::spread(molecule::bond_lengths(molecule::dual(mesh))).mean;
   for (Vec3& p : mesh.points) p *= scale;
   return mesh;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <array>
@@ -105,7 +106,7 @@ inline TriangleMesh equilateral_sheet(double edge, int columns, int rows) {
 //! The shape scaled so that this many equilateral triangles, with the edge that bonds of 1.2 to 1.8 Angstrom
 //! ask for, have its area.
 inline TriangleMesh sized(TriangleMesh mesh, double triangles) {
-  const double scale = std::sqrt(triangles * 0.75 * std::numbers::sqrt3 * 1.5 * 1.5 / area(mesh));
+  const double scale = std::sqrt(triangles * 0.75 * std::numbers::sqrt3 * 1.5 * 1.5 / mesh::area(mesh));
   for (Vec3& p : mesh.points) p *= scale;
   return mesh;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace nanocarbon::test {
 struct Topology {
   bool manifold = true;  //!< oriented, no edge of three triangles, one fan at every vertex
   long euler_characteristic = 0;
-  std::size_t pieces = 0;
+  std::size_t components = 0;
   std::size_t boundary_loops = 0;
   friend bool operator==(const Topology&, const Topology&) = default;
 };
@@ -23,10 +24,10 @@ inline Topology topology_of(const TriangleMesh& mesh) {
   Topology topology;
   std::map<std::array<VertexIndex, 2>, int> directed;
   std::map<VertexIndex, std::map<VertexIndex, VertexIndex>> fans;  // vertex -> next neighbour around it
-  std::vector<std::size_t> piece(mesh.points.size());
-  std::iota(piece.begin(), piece.end(), 0);
+  std::vector<std::size_t> component(mesh.points.size());
+  std::iota(component.begin(), component.end(), 0);
   const auto root = [&](std::size_t v) {
-    while (piece[v] != v) v = piece[v] = piece[piece[v]];
+    while (component[v] != v) v = component[v] = component[component[v]];
     return v;
   };
   for (const Triangle& t : mesh.triangles)
@@ -34,14 +35,14 @@ inline Topology topology_of(const TriangleMesh& mesh) {
       const VertexIndex a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
       if (a == b || ++directed[{a, b}] > 1) topology.manifold = false;
       fans[a][b] = c;
-      piece[root(a)] = root(b);
+      component[root(a)] = root(b);
     }
   long edges = 0;
-  std::map<VertexIndex, VertexIndex> border;  // along the hole
+  std::map<VertexIndex, VertexIndex> boundary;  // along the hole
   for (const auto& [edge, count] : directed) {
     const bool open = !directed.contains({edge[1], edge[0]});
     edges += open || edge[0] < edge[1];
-    if (open && !border.emplace(edge[1], edge[0]).second) topology.manifold = false;
+    if (open && !boundary.emplace(edge[1], edge[0]).second) topology.manifold = false;
   }
   for (const auto& [v, next] : fans) {
     VertexIndex start = next.begin()->first;
@@ -56,15 +57,15 @@ inline Topology topology_of(const TriangleMesh& mesh) {
   }
   std::set<std::size_t> roots;
   for (const auto& [v, next] : fans) roots.insert(root(v));
-  topology.pieces = roots.size();
+  topology.components = roots.size();
   topology.euler_characteristic =
       static_cast<long>(fans.size()) - edges + static_cast<long>(mesh.triangles.size());
-  while (!border.empty()) {
+  while (!boundary.empty()) {
     ++topology.boundary_loops;
-    for (auto at = border.begin(); at != border.end();) {
+    for (auto at = boundary.begin(); at != boundary.end();) {
       const VertexIndex to = at->second;
-      border.erase(at);
-      at = border.find(to);
+      boundary.erase(at);
+      at = boundary.find(to);
     }
   }
   return topology;

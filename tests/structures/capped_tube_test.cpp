@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/capped_tube.h"
 
 #include <gmock/gmock.h>
@@ -10,7 +11,7 @@
 #include "nanocarbon/structures/tube.h"
 #include "structures/facts.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 using test::facts;
@@ -111,4 +112,4 @@ TEST(CappedTube, RefusesWhatCannotBeCapped) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

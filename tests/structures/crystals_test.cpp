@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gmock/gmock.h>
 
 #include "nanocarbon/core/error.h"
@@ -6,7 +7,7 @@
 #include "nanocarbon/structures/schwarzite.h"
 #include "structures/facts.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 using test::facts;
@@ -74,4 +75,4 @@ TEST(Hydrocarbons, HaveTheirFormulasAndBonds) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/fullerene.h"
 
 #include <gmock/gmock.h>
@@ -5,7 +6,7 @@
 #include "nanocarbon/core/error.h"
 #include "structures/facts.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 using test::facts;
@@ -45,4 +46,4 @@ TEST(Fullerene, RefusesWhatIsNoFullerene) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/graphene.h"
 
 #include <gmock/gmock.h>
@@ -5,7 +6,7 @@
 #include "nanocarbon/core/error.h"
 #include "structures/facts.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 using test::facts;
@@ -62,4 +63,4 @@ TEST(Graphene, RefusesNothingAtAll) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

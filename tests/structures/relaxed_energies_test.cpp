@@ -1,19 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What LAMMPS's REBO2 makes of the structures: their bonds stay what they are, and their energies are the
 // known ones.
 #include <gmock/gmock.h>
 
 #include <memory>
 
-#include "nanocarbon/molecule/bond_graph.h"
 #include "nanocarbon/structures/capped_tube.h"
 #include "nanocarbon/structures/diamond.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/schwarzite.h"
 #include "nanocarbon/structures/tube.h"
+#include "nanocarbon/topology/bond_graph.h"
 #include "support/lammps_reference.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 using test::LammpsReference;
@@ -43,8 +44,8 @@ Relaxed relax(const Molecule& molecule, const std::string& relaxed_lengths = {})
   if (cell)
     cell = orthogonal_cell(Vec3(lammps.variable("lx"), lammps.variable("ly"), lammps.variable("lz")),
                            cell->periodic);
-  const auto bonds = bonds_within(result.positions, molecule.elements, cell ? &*cell : nullptr);
-  result.same_bonds = bonded_ids(bonds) == bonded_ids(molecule.bonds);
+  const auto bonds = topology::bonds_within(result.positions, molecule.elements, cell ? &*cell : nullptr);
+  result.same_bonds = topology::bonded_ids(bonds) == topology::bonded_ids(molecule.bonds);
   return result;
 }
 
@@ -114,4 +115,4 @@ TEST(RelaxedEnergies, CappedTubesHold) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

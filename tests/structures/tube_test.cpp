@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/tube.h"
 
 #include <gmock/gmock.h>
@@ -9,7 +10,7 @@
 #include "nanocarbon/core/error.h"
 #include "structures/facts.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 using test::facts;
@@ -109,4 +110,4 @@ TEST(Tube, RefusesWhatIsNoTube) {
 }
 
 }  // namespace
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """One row of the suite: a molecule built from a mesh and run in LAMMPS."""
 
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Builds a molecule from every mesh of a folder, runs each in LAMMPS, and prints what became of them.
 
     tests/suite/run.py FOLDER [--atoms N] [--jobs J] [--out OUT] [-- BUILD OPTIONS...]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The suite on a folder of two shapes, one of them too thin at first: run_test.py NANOCARBON BUILD_FOLDER"""
 
 import csv

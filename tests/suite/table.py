@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The rows of the suite as TSV, a number a column, and as Markdown, short enough to read."""
 
 # Keys of a row, in the order of the TSV's columns.

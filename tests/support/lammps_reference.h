@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <array>
@@ -29,15 +30,16 @@ class LammpsReference {
   LammpsReference(const LammpsReference&) = delete;
   LammpsReference& operator=(const LammpsReference&) = delete;
 
-  //! Runs a command, or several on lines of their own. \throw std::runtime_error with LAMMPS's message
+  //! Runs a command, or several on lines of their own.
+  //! \throw std::runtime_error with LAMMPS's message
   void command(const std::string& text);
   //! Forgets everything and puts these atoms into a cell, or into a large box without periodicity; types C,
   //! H.
   void place(std::span<const Vec3> positions, std::span<const Element> elements, const Cell* cell);
   //! `pair_style <style>` with CH.rebo.
   void potential(const std::string& style);
-  //! Energy and derivatives of the atoms where they are. \param atom_virials also those (they make rebo
-  //! slower)
+  //! Energy and derivatives of the atoms where they are.
+  //! \param atom_virials also those (they make rebo slower)
   LammpsEnergy evaluate(bool atom_virials = true);
   //! The current positions, by atom.
   std::vector<Vec3> positions();

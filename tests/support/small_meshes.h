@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <array>
@@ -19,8 +20,8 @@ inline TriangleMesh tetrahedron(const Vec3& at = Vec3::Zero(), double scale = 1.
   return mesh;
 }
 
-inline PolygonSoup soup(std::vector<Vec3> points, const std::vector<std::vector<VertexIndex>>& faces) {
-  PolygonSoup result;
+inline mesh::PolygonSoup soup(std::vector<Vec3> points, const std::vector<std::vector<VertexIndex>>& faces) {
+  mesh::PolygonSoup result;
   result.points = std::move(points);
   for (const auto& face : faces) {
     result.corners.insert(result.corners.end(), face.begin(), face.end());
@@ -30,15 +31,15 @@ inline PolygonSoup soup(std::vector<Vec3> points, const std::vector<std::vector<
 }
 
 //! The unit cube as six squares, wound outward: V = 8, E = 12, F = 6.
-inline PolygonSoup cube(const Vec3& at = Vec3::Zero(), double scale = 1.0) {
+inline mesh::PolygonSoup cube(const Vec3& at = Vec3::Zero(), double scale = 1.0) {
   std::vector<Vec3> points;
   for (int i = 0; i < 8; ++i) points.push_back(at + scale * Vec3(i & 1, i >> 1 & 1, i >> 2 & 1));
   return soup(points, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
 }
 
 //! A torus of n times m quads: V = n m, E = 2 n m, F = n m.
-inline PolygonSoup torus(VertexIndex n, VertexIndex m, double major = 3.0, double minor = 1.0) {
-  PolygonSoup result;
+inline mesh::PolygonSoup torus(VertexIndex n, VertexIndex m, double major = 3.0, double minor = 1.0) {
+  mesh::PolygonSoup result;
   for (VertexIndex i = 0; i < n; ++i)
     for (VertexIndex j = 0; j < m; ++j) {
       const double u = 2 * M_PI * i / n, v = 2 * M_PI * j / m;

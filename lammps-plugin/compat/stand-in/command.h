@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 //! \file
-//! \brief LAMMPS's base class of commands, which installed headers leave out: the same virtual functions in the same order.
+//! \brief LAMMPS's base class of commands, which installed headers leave out: the same virtual functions in
+//! the same order.
 
 #include "pointers.h"
 

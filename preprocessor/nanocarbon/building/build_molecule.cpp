@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/build_molecule.h"
 
 #include <fmt/format.h>
@@ -7,19 +8,19 @@
 #include <utility>
 #include <variant>
 
+#include "nanocarbon/annealing/geometry_check.h"
+#include "nanocarbon/building/dual_minimum.h"
 #include "nanocarbon/building/failed_molecule.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
-#include "nanocarbon/molecule/connected_pieces.h"
 #include "nanocarbon/molecule/dual.h"
-#include "nanocarbon/relaxation/dual_minimum.h"
-#include "nanocarbon/relaxation/geometry_check.h"
-#include "nanocarbon/remeshing/atoms_for_features.h"
-#include "nanocarbon/remeshing/crystallise.h"
-#include "nanocarbon/remeshing/make_room.h"
+#include "nanocarbon/remeshing/crystal/crystallise.h"
+#include "nanocarbon/remeshing/features/atoms_for_features.h"
+#include "nanocarbon/remeshing/features/make_room.h"
+#include "nanocarbon/topology/connected_components.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 namespace {
 
 class Stopwatch {
@@ -35,24 +36,25 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// Atoms, bonds and rings are faces, edges and vertices; what a border lacks of them adds up to nothing.
+// Atoms, bonds and rings are faces, edges and vertices; what a boundary lacks of them adds up to nothing.
 std::int64_t euler_characteristic(const Molecule& molecule) {
   return static_cast<std::int64_t>(molecule.size()) - static_cast<std::int64_t>(molecule.bonds.size()) +
          static_cast<std::int64_t>(molecule.rings.size());
 }
 
-void require_same_topology(const MeshTopology& surface, const BuildResult& result) {
-  const MeshTopology t = mesh_topology(result.triangulation);
-  const std::size_t pieces = connected_pieces(result.molecule.size(), result.molecule.bonds).count;
+void require_same_topology(const mesh::MeshTopology& surface, const BuildResult& result) {
+  const mesh::MeshTopology t = mesh::mesh_topology(result.triangulation);
+  const std::size_t components =
+      topology::connected_components(result.molecule.size(), result.molecule.bonds).count;
   const std::int64_t euler = euler_characteristic(result.molecule);
-  if (surface.pieces != pieces || surface.euler_characteristic != euler || surface.pieces != t.pieces ||
-      surface.euler_characteristic != t.euler_characteristic || surface.boundary_loops != t.boundary_loops ||
-      surface.genus != t.genus)
+  if (surface.components != components || surface.euler_characteristic != euler ||
+      surface.components != t.components || surface.euler_characteristic != t.euler_characteristic ||
+      surface.boundary_loops != t.boundary_loops || surface.genus != t.genus)
     throw UserError(
         Failure::failed,
         fmt::format("the molecule has {} pieces, {} boundary loops and Euler characteristic {}, the surface "
                     "{}, {} and {}; please report this",
-                    pieces, t.boundary_loops, euler, surface.pieces, surface.boundary_loops,
+                    components, t.boundary_loops, euler, surface.components, surface.boundary_loops,
                     surface.euler_characteristic));
 }
 
@@ -71,26 +73,27 @@ void require_shape(const BuildResult& result) {
 
 void build_by_thesis(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
-  ThesisOptions thesis = options.thesis;
+  thesis::ThesisOptions thesis = options.thesis;
   thesis.threads = options.threads;
   // A number of atoms is met by adjusting the scale on the way; a length or a scale is the user's own.
   if (std::holds_alternative<AtomCount>(options.size) ||
       std::holds_alternative<AtomPerTriangle>(options.size))
     thesis.atoms = result.surface.atoms;
   if (options.progress)
-    thesis.progress = [&](const ThesisProgress& p) {
+    thesis.progress = [&](const thesis::ThesisProgress& p) {
       options.progress("remeshing", static_cast<double>(p.iteration) / p.max_iterations);
     };
-  result.thesis = remesh_by_thesis(result.surface.mesh, thesis);
+  result.thesis = thesis::remesh_by_thesis(result.surface.mesh, thesis);
   result.triangulation = std::exchange(result.thesis->mesh, {});
   result.surface.scale *= result.thesis->scale;
   for (Vec3& point : result.surface.mesh.points) point *= result.thesis->scale;
   result.seconds.remeshing = stage.lap();
   if (!options.force) require_shape(result);
-  result.molecule = dual(result.triangulation);
+  result.molecule = molecule::dual(result.triangulation);
   if (options.relax) {
     if (options.progress) options.progress("relaxing the dual", 0.0);
-    const auto relaxed = minimise_dual(result.molecule, TetherSurface(result.surface.mesh, 1));
+    const auto relaxed = minimise_dual(result.molecule, *make_potential(options.potential),
+                                       annealing::TetherSurface(result.surface.mesh, 1));
     if (!relaxed.intact && !options.force)
       throw UserError(
           Failure::failed,
@@ -100,22 +103,10 @@ void build_by_thesis(BuildResult& result, const BuildOptions& options) {
   result.seconds.molecule = stage.lap();
 }
 
-CrystalQuality crystal_quality(AnnealQuality quality) {
-  switch (quality) {
-    case AnnealQuality::draft:
-      return CrystalQuality::draft;
-    case AnnealQuality::good:
-      return CrystalQuality::good;
-    case AnnealQuality::best:
-      return CrystalQuality::best;
-  }
-  return CrystalQuality::good;
-}
-
 std::string number_that_would_do(const BuildResult& result, const BuildOptions& options) {
   const SizedSurface& surface = result.surface;
-  const auto atoms = atoms_for_features(surface.mesh, area(surface.mesh) / area_per_atom(options.bond_length),
-                                        {}, options.threads);
+  const auto atoms = features::atoms_for_features(
+      surface.mesh, mesh::area(surface.mesh) / area_per_atom(options.bond_length), {}, options.threads);
   if (!atoms)
     return "no number of atoms up to 300,000, or four times as many as asked for, would do: go on with "
            "--force";
@@ -125,9 +116,9 @@ std::string number_that_would_do(const BuildResult& result, const BuildOptions& 
 
 void require_room_for_features(const BuildResult& result, const BuildOptions& options) {
   const SizedSurface& surface = result.surface;
-  const FeatureReport features = check_features(surface.mesh, {}, options.threads);
+  const features::FeatureReport features = features::check_features(surface.mesh, {}, options.threads);
   if (features.ok()) return;
-  const FeatureProblem& worst = features.problems.front();
+  const features::FeatureProblem& worst = features.problems.front();
   const Vec3 where = worst.where / surface.scale;
   throw UserError(
       Failure::size,
@@ -151,18 +142,20 @@ void require_rings_of_carbon(const Molecule& molecule) {
 
 void require_bonds_that_hold(const BuildResult& result, const BuildOptions& options) {
   if (!result.annealed->intact && !options.force)
-    throw UserError(Failure::failed, why_it_does_not_hold(result.molecule, result.surface));
+    throw UserError(Failure::failed, describe_failure(result.molecule, result.surface));
 }
 
 // Goes on to the minimum, which may be far from where annealing was asked to stop.
-void certify_annealed(BuildResult& result, const BuildOptions& options) {
-  const Certificate certificate =
-      certify(result.molecule, {.force_tolerance = std::min(certified_force, options.force_tolerance)});
+void certify_annealed(BuildResult& result, potential::Potential& potential, const BuildOptions& options) {
+  const minimisation::Certificate certificate = minimisation::certify(
+      result.molecule, potential,
+      {.force_tolerance = std::min(minimisation::certified_force, options.force_tolerance)});
   AnnealResult& annealed = *result.annealed;
   annealed.energy = certificate.energy / static_cast<double>(result.molecule.size());
   annealed.max_force = certificate.max_force;
   annealed.intact = certificate.intact;
-  const GeometryCheck check = check_geometry(result.molecule.positions, fixed_bond_graph(annealed.network));
+  const annealing::GeometryCheck check =
+      annealing::check_geometry(result.molecule.positions, annealing::fixed_bond_graph(annealed.network));
   annealed.shortest_bond = check.shortest_bond;
   annealed.longest_bond = check.longest_bond;
   annealed.closest_unbonded = check.closest_unbonded;
@@ -172,29 +165,28 @@ void certify_annealed(BuildResult& result, const BuildOptions& options) {
 void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
   if (!options.force) require_room_for_features(result, options);
+  const std::unique_ptr<potential::Potential> potential = make_potential(options.potential);
   const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
     Stopwatch crystal;
-    CrystalOptions wanted{.faces = faces,
-                          .seed = seed,
-                          .quality = crystal_quality(options.quality),
-                          .progress = options.progress};
+    crystal::CrystalOptions wanted{
+        .faces = faces, .seed = seed, .quality = options.quality, .progress = options.progress};
     // A sixteenth of the atoms serves smooth shapes, on which the first seed does.
     if (faces < result.surface.atoms / 8) wanted.attempts = 1;
-    CrystalResult made = crystallise(surface, wanted);
+    crystal::CrystalResult made = crystal::crystallise(surface, wanted);
     result.seconds.remeshing += crystal.lap();
     return std::move(made.mesh);
   };
   AnnealOptions annealing{.quality = options.quality,
                           .force_tolerance = options.force_tolerance,
                           .seed = options.seed,
-                          .threads = static_cast<unsigned>(options.threads),
+                          .threads = options.threads,
                           .progress = options.progress};
   annealing.keep_size = keeps_size(options.size);
   annealing.tether = tether_of(options);
   annealing.make_room = [&](const TriangleMesh& thin) {
-    return with_room_for_sheets(thin, resting_sheet_distance, options.threads);
+    return features::with_room_for_sheets(thin, features::resting_sheet_distance, options.threads);
   };
-  result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, annealing);
+  result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, *potential, annealing);
   result.molecule = std::exchange(result.annealed->molecule, {});
   result.surface.scale *= result.annealed->growth;
   for (Vec3& point : result.surface.mesh.points) point *= result.annealed->growth;
@@ -202,10 +194,10 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   if (!options.force) require_rings_of_carbon(result.molecule);
   if (options.certify) {
     if (options.progress) options.progress("certifying", 0.0);
-    certify_annealed(result, options);
+    certify_annealed(result, *potential, options);
     require_bonds_that_hold(result, options);
   }
-  result.triangulation = triangulation_of(result.annealed->network, result.molecule.positions);
+  result.triangulation = annealing::triangulation_of(result.annealed->network, result.molecule.positions);
   result.seconds.molecule = stage.lap() - result.seconds.remeshing;
 }
 
@@ -241,9 +233,9 @@ BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& opti
     build_by_annealing(result, options);
   else
     build_by_thesis(result, options);
-  require_same_topology(mesh_topology(result.surface.mesh), result);
+  require_same_topology(mesh::mesh_topology(result.surface.mesh), result);
   result.seconds.total = whole.lap();
   return result;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstdint>
@@ -5,13 +6,14 @@
 #include <optional>
 #include <string_view>
 
+#include "nanocarbon/building/anneal_recipe.h"
+#include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/building/size_request.h"
+#include "nanocarbon/minimisation/certificate.h"
 #include "nanocarbon/molecule/molecule.h"
-#include "nanocarbon/relaxation/anneal_recipe.h"
-#include "nanocarbon/relaxation/certificate.h"
-#include "nanocarbon/remeshing/thesis_recipe.h"
+#include "nanocarbon/remeshing/thesis/thesis_recipe.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 
 //! How a surface becomes a molecule.
 enum class Recipe {
@@ -28,11 +30,13 @@ std::string_view name(Recipe recipe);
 struct BuildOptions {
   SizeRequest size = AtomPerTriangle{};
   Recipe recipe = Recipe::annealed;
+  PotentialChoice potential =
+      PotentialChoice::rebo2;  //!< of the last minimisation, the checks, the certificate
 
   //! \name Of the annealed recipe
   //! @{
   double bond_length = 1.42;  //!< that the size is reckoned with, Angstrom
-  AnnealQuality quality = AnnealQuality::good;
+  Quality quality = Quality::good;
   std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: anneal_recipe.h
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
   bool certify = false;           //!< prove that the molecule is at a minimum (certificate.h)
@@ -40,10 +44,10 @@ struct BuildOptions {
   //! Go on where the shape asks for more atoms, keep a molecule that does not hold or has lost the shape.
   //! (The program also takes one that is not shown to be at a minimum.)
   bool force = false;
-  ThesisOptions thesis;  //!< of the thesis and its forerunners
-  bool relax = false;    //!< the dual of theirs, to a minimum of REBO2 with the bonds it has (dual_minimum.h)
+  thesis::ThesisOptions thesis;  //!< of the thesis and its forerunners
+  bool relax = false;  //!< the dual of theirs, to a minimum of REBO2 with the bonds it has (dual_minimum.h)
 
-  int threads = 1;
+  unsigned threads = 1;
   std::uint64_t seed = 1;
   //! Called now and then with what is being done and how much of it, 0 to 1.
   std::function<void(std::string_view stage, double fraction)> progress;
@@ -63,9 +67,9 @@ struct BuildResult {
   SizedSurface surface;
   TriangleMesh triangulation;  //!< Angstrom; the molecule is its dual
   Molecule molecule;
-  std::optional<AnnealResult> annealed;    //!< what annealing did; its molecule has moved to molecule
-  std::optional<Certificate> certificate;  //!< where asked for
-  std::optional<ThesisResult> thesis;      //!< what remeshing did; its mesh has moved to triangulation
+  std::optional<AnnealResult> annealed;  //!< what annealing did; its molecule has moved to molecule
+  std::optional<minimisation::Certificate> certificate;  //!< where asked for
+  std::optional<thesis::ThesisResult> thesis;  //!< what remeshing did; its mesh has moved to triangulation
   BuildSeconds seconds;
 };
 
@@ -75,4 +79,4 @@ struct BuildResult {
 //! surface's, REBO2 would bind other atoms than the molecule does, or the thesis's method lost the shape
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

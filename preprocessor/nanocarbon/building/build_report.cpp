@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/build_report.h"
 
 #include <fmt/format.h>
@@ -13,24 +14,24 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/molecule/bond_statistics.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 Json topology_json(const TriangleMesh& mesh) {
-  const MeshTopology t = mesh_topology(mesh);
+  const mesh::MeshTopology t = mesh::mesh_topology(mesh);
   return {{"vertices", t.vertices},
           {"faces", t.faces},
-          {"pieces", t.pieces},
+          {"pieces", t.components},
           {"boundary_loops", t.boundary_loops},
           {"orientable", t.orientable},
           {"euler_characteristic", t.euler_characteristic},
           {"genus", t.genus}};
 }
 
-Json lengths_json(std::span<const double> lengths, const Interval& interval) {
-  const LengthStatistics s = length_statistics(lengths, interval);
+Json lengths_json(std::span<const double> lengths, const molecule::Interval& interval) {
+  const molecule::LengthStatistics s = molecule::length_statistics(lengths, interval);
   const double count = std::max<double>(1.0, static_cast<double>(s.lengths.count));
   return {{"count", s.lengths.count},
           {"min", s.lengths.min},
@@ -45,7 +46,7 @@ Json lengths_json(std::span<const double> lengths, const Interval& interval) {
 }
 
 std::vector<double> edge_lengths_of(const TriangleMesh& mesh) {
-  const EdgeTable edges = edge_table(soup_of(mesh));
+  const mesh::EdgeTable edges = mesh::edge_table(mesh::soup_of(mesh));
   std::vector<double> lengths(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e)
     lengths[e] = (mesh.points[edges.low[e]] - mesh.points[edges.high[e]]).norm();
@@ -66,13 +67,15 @@ std::size_t rings_outside_5_to_7(const Rings& rings) {
   return outside;
 }
 
-Json distance_json(const DistanceStatistics& d) { return {{"mean", d.mean}, {"rms", d.rms}, {"max", d.max}}; }
+Json distance_json(const mesh::DistanceStatistics& d) {
+  return {{"mean", d.mean}, {"rms", d.rms}, {"max", d.max}};
+}
 
-Json thesis_json(const ThesisResult& r) {
+Json thesis_json(const thesis::ThesisResult& r) {
   Json history = Json::array();
-  for (const EdgeCounts& c : r.history) history.push_back({c.edges, c.too_short, c.too_long});
+  for (const thesis::EdgeCounts& c : r.history) history.push_back({c.edges, c.too_short, c.too_long});
   return {{"iterations", r.iterations},
-          {"stopped", to_string(r.stop)},
+          {"stopped", thesis::to_string(r.stop)},
           {"short_edges", r.edges.too_short},
           {"long_edges", r.edges.too_long},
           {"steps",
@@ -108,7 +111,7 @@ Json annealed_json(const AnnealResult& r) {
           {"bond_switches", r.accepted}};
 }
 
-Json certificate_json(const Certificate& c) {
+Json certificate_json(const minimisation::Certificate& c) {
   return {{"minimum", c.minimum()},       {"max_force", c.max_force}, {"smallest_eigenvalues", c.eigenvalues},
           {"uncertainty", c.uncertainty}, {"complete", c.complete},   {"saddles_left", c.pushes}};
 }
@@ -128,7 +131,7 @@ Json options_json(const BuildResult& result, const BuildOptions& o) {
                  {"rings", o.thesis.rings},
                  {"projection_interval", o.thesis.projection_interval},
                  {"local_threshold", o.thesis.local_threshold},
-                 {"visited", o.thesis.marks == VisitedMarks::either_end ? "either" : "both"}});
+                 {"visited", o.thesis.marks == thesis::VisitedMarks::either_end ? "either" : "both"}});
   }
   json.update({{"threads", o.threads}, {"seed", o.seed}});
   return json;
@@ -138,10 +141,10 @@ Json options_json(const BuildResult& result, const BuildOptions& o) {
 
 Json build_report(const BuildResult& result, const BuildOptions& options, const ReportContext& context) {
   const Molecule& molecule = result.molecule;
-  const MeshTopology topology = mesh_topology(result.triangulation);
-  const Interval bonds{options.thesis.min_bond, options.thesis.max_bond};
-  const Interval edges{std::sqrt(3.0) * bonds.low, std::sqrt(3.0) * bonds.high};
-  const Spread angles = spread(bond_angles(molecule));
+  const mesh::MeshTopology topology = mesh::mesh_topology(result.triangulation);
+  const molecule::Interval bonds{options.thesis.min_bond, options.thesis.max_bond};
+  const molecule::Interval edges{std::sqrt(3.0) * bonds.low, std::sqrt(3.0) * bonds.high};
+  const molecule::Spread angles = molecule::spread(molecule::bond_angles(molecule));
 
   Json report;
   report["nanocarbon"] = version;
@@ -154,21 +157,23 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
                         {"rings", molecule.rings.size()},
                         {"rings_by_size", rings_json(molecule.rings)},
                         {"rings_outside_5_to_7", rings_outside_5_to_7(molecule.rings)},
-                        {"pieces", topology.pieces},
+                        {"pieces", topology.components},
                         {"euler_characteristic", topology.euler_characteristic},
                         {"genus", topology.genus},
                         {"boundary_loops", topology.boundary_loops}};
-  report["bond_lengths"] = lengths_json(bond_lengths(molecule), bonds);
+  report["bond_lengths"] = lengths_json(molecule::bond_lengths(molecule), bonds);
   report["bond_angles"] = {{"mean", angles.mean},
                            {"standard_deviation", angles.deviation},
                            {"min", angles.min},
                            {"max", angles.max}};
   report["triangulation_edges"] = lengths_json(edge_lengths_of(result.triangulation), edges);
-  const SurfaceDistance triangulation = distance_between(result.triangulation, result.surface.mesh);
-  report["distance"] = {{"atoms_to_surface", distance_json(distances_to_surface(
-                                                 molecule.positions, NearestPoint(result.surface.mesh)))},
-                        {"surface_to_triangulation", distance_json(triangulation.back)},
-                        {"triangulation_to_surface", distance_json(triangulation.there)}};
+  const mesh::SurfaceDistance triangulation =
+      mesh::distance_between(result.triangulation, result.surface.mesh);
+  report["distance"] = {
+      {"atoms_to_surface", distance_json(mesh::distances_to_surface(
+                               molecule.positions, mesh::NearestPoint(result.surface.mesh)))},
+      {"surface_to_triangulation", distance_json(triangulation.back)},
+      {"triangulation_to_surface", distance_json(triangulation.there)}};
   if (result.annealed) report["annealing"] = annealed_json(*result.annealed);
   if (result.certificate) report["certificate"] = certificate_json(*result.certificate);
   if (result.thesis) report["remeshing"] = thesis_json(*result.thesis);
@@ -238,4 +243,4 @@ std::string report_table(const Json& report) {
   return table;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

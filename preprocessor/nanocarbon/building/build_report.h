@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,7 +7,7 @@
 
 #include "nanocarbon/building/build_molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 
 //! What the report says about where a molecule came from.
 struct ReportContext {
@@ -25,4 +26,4 @@ nlohmann::ordered_json build_report(const BuildResult& result, const BuildOption
 //! The gist of a report as a table for a terminal, a fact a line.
 std::string report_table(const nlohmann::ordered_json& report);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

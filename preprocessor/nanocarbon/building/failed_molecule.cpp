@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/failed_molecule.h"
 
 #include <fmt/format.h>
@@ -5,18 +6,19 @@
 #include <algorithm>
 #include <vector>
 
+#include "nanocarbon/core/bond_cutoffs.h"
 #include "nanocarbon/core/neighbours_within.h"
-#include "nanocarbon/remeshing/atoms_for_features.h"
+#include "nanocarbon/remeshing/features/atoms_for_features.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 namespace {
 
-// Where carbon's cut-off in REBO2 begins and ends, Angstrom.
-constexpr double longest_bond = 1.7, closest_unbonded = 2.0;
+constexpr double longest_bond = rebo_bond_cutoffs.carbon_carbon.begin;    // Angstrom
+constexpr double closest_unbonded = rebo_bond_cutoffs.carbon_carbon.end;  // Angstrom
 
 // What a shape needs for molecules of little strain: the (5,5) tube, graphite's sheets and a little, no
 // exceptions for tips. Angstrom.
-constexpr FeatureLimits comfortable{.tube_radius = 3.4, .sheet_distance = 3.6, .least_area = 20};
+constexpr features::FeatureLimits comfortable{.tube_radius = 3.4, .sheet_distance = 3.6, .least_area = 20};
 
 struct Fault {
   std::string what;
@@ -48,12 +50,12 @@ Fault worst_fault(const Molecule& molecule) {
 
 }  // namespace
 
-std::string why_it_does_not_hold(const Molecule& molecule, const SizedSurface& surface) {
+std::string describe_failure(const Molecule& molecule, const SizedSurface& surface) {
   const Fault fault = worst_fault(molecule);
   const Vec3 where = fault.where / surface.scale;
   std::optional<std::size_t> more;
-  if (!check_features(surface.mesh, comfortable).ok())
-    more = atoms_for_features(surface.mesh, static_cast<double>(surface.atoms), comfortable);
+  if (!features::check_features(surface.mesh, comfortable).ok())
+    more = features::atoms_for_features(surface.mesh, static_cast<double>(surface.atoms), comfortable);
   return fmt::format(
       "no molecule was found that holds: {} near ({:.4g}, {:.4g}, {:.4g}) of the mesh; ask for --atoms {} or "
       "more, try "
@@ -61,4 +63,4 @@ std::string why_it_does_not_hold(const Molecule& molecule, const SizedSurface& s
       fault.what, where.x(), where.y(), where.z(), more.value_or(surface.atoms + surface.atoms / 2));
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/size_request.h"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 namespace {
 
 // The dodecahedron C20 is the smallest closed cage of pentagons and hexagons.
@@ -33,7 +34,7 @@ struct ScaleOf {
   double operator()(AtomPerTriangle) const { return for_atoms(surface.triangles.size()); }
   double operator()(AtomCount request) const { return for_atoms(request.atoms); }
   double operator()(LongestSide request) const {
-    return request.length / bounding_box(surface.points).longest_side();
+    return request.length / mesh::bounding_box(surface.points).longest_side();
   }
   double operator()(UnitScale request) const { return request.scale; }
 };
@@ -47,7 +48,7 @@ bool keeps_size(const SizeRequest& request) {
 double area_per_atom(double bond_length) { return 0.75 * std::sqrt(3.0) * bond_length * bond_length; }
 
 SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& request, double bond_length) {
-  const double surface_area = area(surface);
+  const double surface_area = mesh::area(surface);
   if (!(surface_area > 0.0) || !std::isfinite(surface_area))
     throw UserError(Failure::unsuitable, "the surface has no area: all its triangles are degenerate");
   const ScaleOf scale_of{surface, surface_area, area_per_atom(bond_length)};
@@ -73,10 +74,10 @@ SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& reque
         fmt::format("the size asked for leaves room for {} atom(s), and no cage has fewer than {}; "
                     "ask for more with --atoms N, --length {:.3g} or --scale {:.3g}",
                     sized.atoms, smallest_molecule,
-                    bounding_box(surface.points).longest_side() * scale_of.for_atoms(smallest_molecule),
+                    mesh::bounding_box(surface.points).longest_side() * scale_of.for_atoms(smallest_molecule),
                     scale_of.for_atoms(smallest_molecule)));
   for (Vec3& point : sized.mesh.points) point *= sized.scale;
   return sized;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

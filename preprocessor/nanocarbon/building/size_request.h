@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -5,7 +6,7 @@
 
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::building {
 
 //! \name How large a molecule is asked for. Exactly one of these.
 //! @{
@@ -43,4 +44,4 @@ double area_per_atom(double bond_length);
 //! atoms, saying which number would do, or more than fit into this machine's memory
 SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& request, double bond_length);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::building

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <array>
@@ -32,9 +33,11 @@ struct NeighbourList {
 //! \brief All neighbours at a distance below the cut-off.
 //! \details Spatial hashing: linear in atoms for any extent of the coordinates, also where a few atoms are
 //! far away. An atom is its own neighbour where a periodic image of it is near. Rows are sorted by atom, then
-//! image. \param positions Angstrom; they need not lie inside the cell. Must be finite. \param cell nullptr
-//! for no periodicity. Cells smaller than the cut-off are handled with as many images as needed. \param
-//! cutoff Angstrom, above zero
+//! image.
+//! \param positions Angstrom; they need not lie inside the cell. Must be finite.
+//! \param cell nullptr for no periodicity. Cells smaller than the cut-off are handled with as many images as
+//! needed.
+//! \param cutoff Angstrom, above zero
 NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cell, double cutoff);
 
 }  // namespace nanocarbon

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/cut_ears.h"
 
 #include <Eigen/Geometry>
@@ -6,7 +7,7 @@
 
 #include "nanocarbon/mesh/measures.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
@@ -134,4 +135,4 @@ void cut_ears(std::span<const Vec3> points, std::span<const VertexIndex> corners
   EarCutter(std::move(flat), corners, triangles).cut();
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <span>
@@ -5,7 +6,7 @@
 
 #include "nanocarbon/mesh/polygon_soup.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! \brief Cuts a polygon into triangles by cutting ears off its projection along its Newell normal.
 //! \details Best shaped ear first (Eberly, Triangulation by Ear Clipping, for what is an ear); O(n (r + log
@@ -16,4 +17,4 @@ namespace nanocarbon {
 void cut_ears(std::span<const Vec3> points, std::span<const VertexIndex> corners,
               std::vector<Triangle>& triangles);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/describe.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 struct Words {
@@ -38,7 +39,7 @@ Words words_for(MeshProblem problem) {
     case MeshProblem::no_area:
       return {"face has no area: its vertices lie on a line",
               "faces have no area: their vertices lie on a line", "remove slivers, or remesh the surface"};
-    case MeshProblem::pieces_intersect:
+    case MeshProblem::components_intersect:
       return {"pair of faces of different pieces intersects", "pairs of faces of different pieces intersect",
               "unite the pieces (boolean union) or move them apart"};
     case MeshProblem::inconsistent_winding:
@@ -80,4 +81,4 @@ std::string describe(const MeshFinding& finding) {
                      words.remedy);
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/polygon_soup.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! What can be wrong with a mesh.
 enum class MeshProblem {
@@ -22,7 +23,7 @@ enum class MeshProblem {
   non_manifold_vertex,
   not_orientable,
   no_area,
-  pieces_intersect,
+  components_intersect,
   // Always mended.
   inconsistent_winding,
   inside_out,
@@ -72,7 +73,4 @@ struct MeshDiagnosis {
   const MeshFinding* find(MeshProblem problem) const;
 };
 
-//! O(n log n) in faces.
-MeshDiagnosis diagnose(const PolygonSoup& soup);
-
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

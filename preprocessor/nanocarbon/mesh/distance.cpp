@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/distance.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 
 #include "nanocarbon/mesh/measures.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 DistanceStatistics distances_to_surface(std::span<const Vec3> points, const NearestPoint& surface) {
   DistanceStatistics result;
@@ -73,4 +74,4 @@ SurfaceDistance distance_between(const TriangleMesh& mesh, const TriangleMesh& s
   return result;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

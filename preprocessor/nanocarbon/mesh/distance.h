@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -7,7 +8,7 @@
 #include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! Distances from points to a surface. In the unit of the coordinates.
 struct DistanceStatistics {
@@ -43,4 +44,4 @@ struct SurfaceDistance {
 SurfaceDistance distance_between(const TriangleMesh& mesh, const TriangleMesh& surface,
                                  std::size_t samples = 0);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

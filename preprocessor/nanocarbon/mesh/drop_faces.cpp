@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/drop_faces.h"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 
 #include "nanocarbon/mesh/same_faces.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 bool repeats_a_vertex(std::span<const VertexIndex> face) {
   if (face.size() == 3) return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
@@ -78,4 +79,4 @@ std::size_t drop_copied_faces(PolygonSoup& soup) {
   return dropped;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -5,7 +6,7 @@
 
 #include "nanocarbon/mesh/polygon_soup.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! Whether a face passes through a vertex more than once.
 bool repeats_a_vertex(std::span<const VertexIndex> face);
@@ -20,4 +21,4 @@ std::size_t drop_repeated_vertices(PolygonSoup& soup);
 //! \return how many were dropped
 std::size_t drop_copied_faces(PolygonSoup& soup);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

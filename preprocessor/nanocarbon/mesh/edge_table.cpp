@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/edge_table.h"
 
 #include <algorithm>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 struct Side {
@@ -53,4 +54,16 @@ EdgeTable edge_table(const PolygonSoup& soup) {
   return table;
 }
 
-}  // namespace nanocarbon
+DisjointSets face_sides(std::size_t faces, const EdgeTable& edges) {
+  DisjointSets sides(2 * faces);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto uses = edges.uses_of(e);
+    if (uses.size() != 2) continue;
+    const std::uint32_t turned = uses[0].forward == uses[1].forward ? 1 : 0;
+    sides.join(2 * uses[0].face, 2 * uses[1].face + turned);
+    sides.join(2 * uses[0].face + 1, 2 * uses[1].face + 1 - turned);
+  }
+  return sides;
+}
+
+}  // namespace nanocarbon::mesh

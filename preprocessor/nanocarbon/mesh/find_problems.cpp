@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/find_problems.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 #include "nanocarbon/mesh/self_intersections.h"
 #include "nanocarbon/mesh/triangulate.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 constexpr std::size_t most_places = 10;
@@ -66,11 +67,12 @@ void find_in_topology(const PolygonSoup& soup, const EdgeTable& edges, const Mes
     findings.add(MeshProblem::non_manifold_edge, {edges.low[e], edges.high[e]}, faces_at(edges, e));
   for (const VertexIndex v : topology.non_manifold_vertices)
     findings.add(MeshProblem::non_manifold_vertex, {v}, {});
-  for (const MeshPiece& piece : topology.piece)
-    if (!piece.orientable)
-      findings.add(MeshProblem::not_orientable, vertices_of(soup.face(piece.first_face)), {piece.first_face});
+  for (const MeshComponent& component : topology.component)
+    if (!component.orientable)
+      findings.add(MeshProblem::not_orientable, vertices_of(soup.face(component.first_face)),
+                   {component.first_face});
   for (const std::size_t e : topology.twisted_edges)
-    if (topology.piece[topology.piece_of_face[edges.uses_of(e)[0].face]].orientable)
+    if (topology.component[topology.component_of_face[edges.uses_of(e)[0].face]].orientable)
       findings.add(MeshProblem::inconsistent_winding, {edges.low[e], edges.high[e]}, faces_at(edges, e));
 }
 
@@ -80,10 +82,10 @@ void find_intersections(const PolygonSoup& soup, const MeshTopology& topology, F
   for (std::size_t face = 0; face < soup.faces(); ++face)
     mesh.triangles.push_back({soup.face(face)[0], soup.face(face)[1], soup.face(face)[2]});
   const SelfIntersections found = self_intersections(mesh);
-  for (const bool between_pieces : {true, false})
+  for (const bool between_components : {true, false})
     for (const auto& [first, second] : found.pairs)
-      if ((topology.piece_of_face[first] != topology.piece_of_face[second]) == between_pieces)
-        findings.add(between_pieces ? MeshProblem::pieces_intersect : MeshProblem::self_intersection,
+      if ((topology.component_of_face[first] != topology.component_of_face[second]) == between_components)
+        findings.add(between_components ? MeshProblem::components_intersect : MeshProblem::self_intersection,
                      vertices_of(soup.face(first)), {first, second});
   if (!found.complete) findings.add(MeshProblem::search_given_up, {}, {});
 }
@@ -113,4 +115,4 @@ void find_problems(const PolygonSoup& soup, const EdgeTable& edges, MeshDiagnosi
   for (MeshFinding& finding : diagnosis.findings) finding.text = describe(finding);
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

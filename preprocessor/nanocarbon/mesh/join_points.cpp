@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/join_points.h"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 constexpr VertexIndex none = std::numeric_limits<VertexIndex>::max();
@@ -94,4 +95,4 @@ std::size_t drop_unused_points(PolygonSoup& soup) {
   return dropped;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -6,7 +7,7 @@
 
 #include "nanocarbon/mesh/polygon_soup.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! Which points are one: for each point the first point (in order) at its place.
 struct CoincidentPoints {
@@ -29,4 +30,4 @@ void join(PolygonSoup& soup, const CoincidentPoints& coincident);
 //! \return how many were dropped
 std::size_t drop_unused_points(PolygonSoup& soup);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

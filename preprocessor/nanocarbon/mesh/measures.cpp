@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/measures.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 void BoundingBox::include(const Vec3& point) {
   low = low.cwiseMin(point);
@@ -94,4 +95,4 @@ double signed_volume(const PolygonSoup& soup) {
 
 double signed_volume(const TriangleMesh& mesh) { return signed_volume(soup_of(mesh)); }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -7,7 +8,7 @@
 #include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! An axis-aligned box. Empty (low above high) until something is put in.
 struct BoundingBox {
@@ -64,4 +65,4 @@ double area(const TriangleMesh& mesh);
 double signed_volume(const TriangleMesh& mesh);
 double signed_volume(const PolygonSoup& soup);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/mesh_topology.h"
 
 #include <algorithm>
 
-#include "nanocarbon/mesh/winding.h"
+#include "nanocarbon/core/disjoint_sets.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 // The two ends of a side as places in PolygonSoup::corners, the lower vertex first.
@@ -25,30 +26,30 @@ DisjointSets fans_of(const PolygonSoup& soup, const EdgeTable& edges) {
     const Ends first = ends_of(soup, uses[0]);
     for (const EdgeUse& use : uses.subspan(1)) {
       const Ends other = ends_of(soup, use);
-      fans.unite(first.low, other.low);
-      fans.unite(first.high, other.high);
+      fans.join(first.low, other.low);
+      fans.join(first.high, other.high);
     }
   }
   return fans;
 }
 
-void find_pieces(MeshTopology& topology, const EdgeTable& edges) {
+void find_components(MeshTopology& topology, const EdgeTable& edges) {
   DisjointSets faces(topology.faces);
   for (std::size_t e = 0; e < edges.size(); ++e)
-    for (const EdgeUse& use : edges.uses_of(e)) faces.unite(edges.uses_of(e)[0].face, use.face);
-  topology.piece_of_face.resize(topology.faces);
+    for (const EdgeUse& use : edges.uses_of(e)) faces.join(edges.uses_of(e)[0].face, use.face);
+  topology.component_of_face.resize(topology.faces);
   for (FaceIndex face = 0; face < topology.faces; ++face) {
     const FaceIndex first = faces.find(face);
     if (first == face) {
-      topology.piece_of_face[face] = static_cast<std::uint32_t>(topology.piece.size());
-      topology.piece.emplace_back().first_face = face;
+      topology.component_of_face[face] = static_cast<std::uint32_t>(topology.component.size());
+      topology.component.emplace_back().first_face = face;
     }
-    topology.piece_of_face[face] = topology.piece_of_face[first];
-    ++topology.piece[topology.piece_of_face[face]].faces;
+    topology.component_of_face[face] = topology.component_of_face[first];
+    ++topology.component[topology.component_of_face[face]].faces;
   }
-  topology.pieces = topology.piece.size();
+  topology.components = topology.component.size();
   for (std::size_t e = 0; e < edges.size(); ++e)
-    ++topology.piece[topology.piece_of_face[edges.uses_of(e)[0].face]].edges;
+    ++topology.component[topology.component_of_face[edges.uses_of(e)[0].face]].edges;
 }
 
 void count_vertices(MeshTopology& topology, const PolygonSoup& soup, DisjointSets& fans) {
@@ -56,7 +57,7 @@ void count_vertices(MeshTopology& topology, const PolygonSoup& soup, DisjointSet
   for (FaceIndex face = 0; face < topology.faces; ++face)
     for (std::uint32_t corner = soup.offsets[face]; corner < soup.offsets[face + 1]; ++corner)
       if (fans.find(corner) == corner) {
-        ++topology.piece[topology.piece_of_face[face]].vertices;
+        ++topology.component[topology.component_of_face[face]].vertices;
         ++sheets[soup.corners[corner]];
       }
   for (VertexIndex v = 0; v < sheets.size(); ++v) {
@@ -69,21 +70,21 @@ void count_vertices(MeshTopology& topology, const PolygonSoup& soup, DisjointSet
 void count_boundary_loops(MeshTopology& topology, const PolygonSoup& soup, const EdgeTable& edges,
                           DisjointSets& fans) {
   DisjointSets loops(soup.corners.size());
-  std::vector<std::uint32_t> on_border;
+  std::vector<std::uint32_t> on_boundary;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges.uses_of(e).size() != 1) continue;
     const Ends ends = ends_of(soup, edges.uses_of(e)[0]);
-    loops.unite(fans.find(ends.low), fans.find(ends.high));
-    on_border.push_back(fans.find(ends.low));
+    loops.join(fans.find(ends.low), fans.find(ends.high));
+    on_boundary.push_back(fans.find(ends.low));
   }
-  for (std::uint32_t& corner : on_border) corner = loops.find(corner);
-  std::sort(on_border.begin(), on_border.end());
-  on_border.erase(std::unique(on_border.begin(), on_border.end()), on_border.end());
-  topology.boundary_loops = on_border.size();
-  for (const std::uint32_t corner : on_border) {
+  for (std::uint32_t& corner : on_boundary) corner = loops.find(corner);
+  std::sort(on_boundary.begin(), on_boundary.end());
+  on_boundary.erase(std::unique(on_boundary.begin(), on_boundary.end()), on_boundary.end());
+  topology.boundary_loops = on_boundary.size();
+  for (const std::uint32_t corner : on_boundary) {
     const auto after = std::upper_bound(soup.offsets.begin(), soup.offsets.end(), corner);
     const auto face = static_cast<std::size_t>(after - soup.offsets.begin()) - 1;
-    ++topology.piece[topology.piece_of_face[face]].boundary_loops;
+    ++topology.component[topology.component_of_face[face]].boundary_loops;
   }
 }
 
@@ -94,20 +95,20 @@ void find_orientability(MeshTopology& topology, const EdgeTable& edges) {
     if (uses.size() == 2 && uses[0].forward == uses[1].forward) topology.twisted_edges.push_back(e);
   }
   DisjointSets sides = face_sides(topology.faces, edges);
-  for (MeshPiece& piece : topology.piece) {
-    piece.orientable = sides.find(2 * piece.first_face) != sides.find(2 * piece.first_face + 1);
-    topology.orientable = topology.orientable && piece.orientable;
+  for (MeshComponent& component : topology.component) {
+    component.orientable = sides.find(2 * component.first_face) != sides.find(2 * component.first_face + 1);
+    topology.orientable = topology.orientable && component.orientable;
   }
 }
 
 }  // namespace
 
-std::int64_t MeshPiece::euler_characteristic() const {
+std::int64_t MeshComponent::euler_characteristic() const {
   return static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) +
          static_cast<std::int64_t>(faces);
 }
 
-std::int64_t MeshPiece::genus() const {
+std::int64_t MeshComponent::genus() const {
   const std::int64_t caps = 2 - euler_characteristic() - static_cast<std::int64_t>(boundary_loops);
   return orientable ? caps / 2 : caps;
 }
@@ -117,14 +118,14 @@ MeshTopology mesh_topology(const PolygonSoup& soup, const EdgeTable& edges) {
   topology.faces = soup.faces();
   topology.edges = edges.size();
   DisjointSets fans = fans_of(soup, edges);
-  find_pieces(topology, edges);
+  find_components(topology, edges);
   count_vertices(topology, soup, fans);
   count_boundary_loops(topology, soup, edges, fans);
   find_orientability(topology, edges);
   topology.euler_characteristic = static_cast<std::int64_t>(topology.vertices) -
                                   static_cast<std::int64_t>(topology.edges) +
                                   static_cast<std::int64_t>(topology.faces);
-  for (const MeshPiece& piece : topology.piece) topology.genus += piece.genus();
+  for (const MeshComponent& component : topology.component) topology.genus += component.genus();
   return topology;
 }
 
@@ -133,4 +134,4 @@ MeshTopology mesh_topology(const TriangleMesh& mesh) {
   return mesh_topology(soup, edge_table(soup));
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -8,11 +9,11 @@
 #include "nanocarbon/mesh/polygon_soup.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
-//! One piece of a mesh: faces connected over edges. Where a mesh hangs together by single vertices, these
-//! count once for each sheet, so that the numbers are those of the surface that the piece is.
-struct MeshPiece {
+//! One component of a mesh: faces connected over edges. Where a mesh hangs together by single vertices, these
+//! count once for each sheet, so that the numbers are those of the surface that the component is.
+struct MeshComponent {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t faces = 0;
@@ -31,14 +32,14 @@ struct MeshTopology {
   std::size_t vertices = 0;  //!< those that a face uses
   std::size_t edges = 0;
   std::size_t faces = 0;
-  std::size_t pieces = 0;
+  std::size_t components = 0;
   std::size_t boundary_loops = 0;
   std::int64_t euler_characteristic = 0;  //!< vertices - edges + faces
   bool orientable = true;
-  std::int64_t genus = 0;  //!< sum over the pieces
+  std::int64_t genus = 0;  //!< sum over the components
 
-  std::vector<MeshPiece> piece;  //!< ordered by their lowest face
-  std::vector<std::uint32_t> piece_of_face;
+  std::vector<MeshComponent> component;  //!< ordered by their lowest face
+  std::vector<std::uint32_t> component_of_face;
   std::vector<std::size_t> non_manifold_edges;     //!< places in the edge table; more than two faces
   std::vector<VertexIndex> non_manifold_vertices;  //!< the faces around it form more than one fan
   std::vector<std::size_t> twisted_edges;          //!< both faces run along the edge in the same direction
@@ -52,4 +53,4 @@ struct MeshTopology {
 MeshTopology mesh_topology(const PolygonSoup& soup, const EdgeTable& edges);
 MeshTopology mesh_topology(const TriangleMesh& mesh);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/nearest_point.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 using Weights = std::array<double, 3>;
@@ -133,4 +134,4 @@ void NearestPoint::search(const Vec3& query, SurfacePoint& best, double& best_sq
   best.distance = std::sqrt(best_squared);
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

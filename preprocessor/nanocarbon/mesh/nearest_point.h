@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 #include "nanocarbon/mesh/triangle_mesh.h"
 #include "nanocarbon/mesh/triangle_tree.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! A point of a surface, and how far it was from where the search began.
 struct SurfacePoint {
@@ -49,4 +50,4 @@ class NearestPoint {
   std::vector<std::uint32_t> place_of_;  // of a triangle in that order
 };
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/nesting.h"
 
 #include <algorithm>
@@ -7,17 +8,17 @@
 #include "nanocarbon/mesh/triangle_intersection.h"
 #include "nanocarbon/mesh/triangle_tree.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
-constexpr std::size_t most_pieces = 10'000;
+constexpr std::size_t most_components = 10'000;
 
-// Pieces that a point is inside of: those that a ray from it goes through an odd number of times. Nothing
+// Components that a point is inside of: those that a ray from it goes through an odd number of times. Nothing
 // when the ray met an edge or a vertex.
 std::optional<std::vector<std::uint32_t>> around(const TriangleMesh& mesh, const MeshTopology& topology,
-                                                 const TriangleTree& tree, std::uint32_t piece,
+                                                 const TriangleTree& tree, std::uint32_t component,
                                                  const Vec3& direction) {
-  const Vec3 from = mesh.points[mesh.triangles[topology.piece[piece].first_face][0]];
+  const Vec3 from = mesh.points[mesh.triangles[topology.component[component].first_face][0]];
   const BoundingBox& all = tree.nodes[0].box;
   const Vec3 to = from + 2.0 * all.diagonal() * direction;
   std::vector<std::uint32_t> crossed;
@@ -25,8 +26,8 @@ std::optional<std::vector<std::uint32_t>> around(const TriangleMesh& mesh, const
   visit_triangles(
       tree, [&](const BoundingBox& box) { return meets_segment(box, from, to); },
       [&](std::uint32_t t) {
-        const std::uint32_t other = topology.piece_of_face[t];
-        if (other == piece || topology.piece[other].boundary_loops > 0) return;
+        const std::uint32_t other = topology.component_of_face[t];
+        if (other == component || topology.component[other].boundary_loops > 0) return;
         const auto& [a, b, c] = mesh.triangles[t];
         switch (crossing(from, to, mesh.points[a], mesh.points[b], mesh.points[c])) {
           case Crossing::through:
@@ -53,23 +54,23 @@ std::optional<std::vector<std::uint32_t>> around(const TriangleMesh& mesh, const
 }  // namespace
 
 std::vector<std::uint32_t> outermost_around(const TriangleMesh& mesh, const MeshTopology& topology) {
-  std::vector<std::uint32_t> outermost(topology.pieces);
+  std::vector<std::uint32_t> outermost(topology.components);
   std::iota(outermost.begin(), outermost.end(), 0u);
-  if (topology.pieces < 2 || topology.pieces > most_pieces) return outermost;
+  if (topology.components < 2 || topology.components > most_components) return outermost;
   const TriangleTree tree = triangle_tree(mesh);
-  std::vector<std::vector<std::uint32_t>> enclosing(topology.pieces);
-  for (std::uint32_t piece = 0; piece < topology.pieces; ++piece)
+  std::vector<std::vector<std::uint32_t>> enclosing(topology.components);
+  for (std::uint32_t component = 0; component < topology.components; ++component)
     for (int attempt = 0; attempt < 10; ++attempt) {
       const Vec3 direction = Vec3(0.5 + 0.1 * attempt, 0.3183, 0.7712 - 0.13 * attempt).normalized();
-      if (auto found = around(mesh, topology, tree, piece, direction)) {
-        enclosing[piece] = std::move(*found);
+      if (auto found = around(mesh, topology, tree, component, direction)) {
+        enclosing[component] = std::move(*found);
         break;
       }
     }
-  for (std::uint32_t piece = 0; piece < topology.pieces; ++piece)
-    for (const std::uint32_t other : enclosing[piece])
-      if (enclosing[other].empty()) outermost[piece] = other;
+  for (std::uint32_t component = 0; component < topology.components; ++component)
+    for (const std::uint32_t other : enclosing[component])
+      if (enclosing[other].empty()) outermost[component] = other;
   return outermost;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

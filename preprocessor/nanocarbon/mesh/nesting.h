@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstdint>
@@ -6,12 +7,12 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
-//! \brief For each piece the outermost closed piece that encloses it, or itself.
-//! \details By rays through the mesh, exactly. Meshes of more than 10,000 pieces are taken as if nothing
+//! \brief For each component the outermost closed component that encloses it, or itself.
+//! \details By rays through the mesh, exactly. Meshes of more than 10,000 components are taken as if nothing
 //! enclosed anything, to keep the time in bounds.
-//! \pre pieces do not intersect
+//! \pre components do not intersect
 std::vector<std::uint32_t> outermost_around(const TriangleMesh& mesh, const MeshTopology& topology);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/orientation.h"
 
 #include <array>
@@ -5,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 constexpr double half_epsilon = std::numeric_limits<double>::epsilon() / 2.0;
@@ -110,4 +111,4 @@ int orientation_2d(const Vec3& a, const Vec3& b, const Vec3& c, int dropped) {
   return exact.sign();
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/polygon_soup.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 PolygonSoup soup_of(const TriangleMesh& mesh) {
   PolygonSoup soup;
@@ -14,4 +15,4 @@ PolygonSoup soup_of(const TriangleMesh& mesh) {
   return soup;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 #include "nanocarbon/core/vec3.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 using FaceIndex = std::uint32_t;
 
@@ -36,4 +37,4 @@ struct PolygonSoup {
 //! The same mesh as a soup.
 PolygonSoup soup_of(const TriangleMesh& mesh);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/same_faces.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include <span>
 #include <utility>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 // The same for every rotation and reflection of a face.
@@ -55,4 +56,4 @@ std::vector<SameFace> same_faces(const PolygonSoup& soup) {
   return same;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <vector>
 
 #include "nanocarbon/mesh/polygon_soup.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! A face with the same vertices in the same cyclic order, or that order reversed, as an earlier one.
 struct SameFace {
@@ -16,4 +17,4 @@ struct SameFace {
 //! All such faces, sorted by face. O(n log n).
 std::vector<SameFace> same_faces(const PolygonSoup& soup);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/self_intersections.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include "nanocarbon/mesh/triangle_intersection.h"
 #include "nanocarbon/mesh/triangle_tree.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 constexpr std::size_t most_pairs = 100'000;
@@ -41,4 +42,4 @@ SelfIntersections self_intersections(const TriangleMesh& mesh) {
   return result;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! Pairs of triangles of a mesh that meet elsewhere than in the vertices or the edge they share.
 struct SelfIntersections {
@@ -21,4 +22,4 @@ struct SelfIntersections {
 //! and 64 for each triangle tried, which only heaps of overlapping triangles and fans of very many need.
 SelfIntersections self_intersections(const TriangleMesh& mesh);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

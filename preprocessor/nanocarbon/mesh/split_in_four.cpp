@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/split_in_four.h"
 
 #include <vector>
 
 #include "nanocarbon/mesh/edge_table.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 TriangleMesh split_in_four(const TriangleMesh& mesh) {
   const EdgeTable edges = edge_table(soup_of(mesh));
@@ -27,4 +28,4 @@ TriangleMesh split_in_four(const TriangleMesh& mesh) {
   return fine;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/triangle_intersection.h"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/orientation.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 struct Corners {
@@ -110,4 +111,4 @@ Crossing crossing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, co
   return side_p * side_q * ab * bc * ca == 0 ? Crossing::degenerate : Crossing::through;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "nanocarbon/core/vec3.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! \brief Whether two triangles of a mesh meet elsewhere than in the vertices or the edge they share.
 //! \details Exact; touching counts. Triangles without area meet nothing.
@@ -13,7 +14,7 @@ bool intersect(const TriangleMesh& mesh, const Triangle& first, const Triangle& 
 enum class Crossing { none, through, degenerate };
 
 //! Whether the segment from p to q passes through the inside of a triangle; degenerate where it meets its
-//! border, ends in it or lies in its plane. Exact.
+//! boundary, ends in it or lies in its plane. Exact.
 Crossing crossing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

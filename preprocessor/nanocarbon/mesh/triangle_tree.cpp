@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/triangle_tree.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 constexpr std::size_t bins = 16;
@@ -137,4 +138,4 @@ class Builder {
 
 TriangleTree triangle_tree(const TriangleMesh& mesh) { return Builder(mesh).build(); }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! \brief A tree of axis-aligned boxes over the triangles of a mesh, for searches near a place.
 //! \details Binary, split by the surface area heuristic on 16 bins (Wald 2007), at most 96 levels deep. The
@@ -50,4 +51,4 @@ void visit_triangles(const TriangleTree& tree, const Enter& enter, const Visit& 
   }
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

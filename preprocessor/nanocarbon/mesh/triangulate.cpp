@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/triangulate.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/join_points.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 namespace {
 
 bool has_side(std::span<const VertexIndex> face, VertexIndex a, VertexIndex b) {
@@ -95,4 +96,4 @@ Triangulated triangulate(const PolygonSoup& soup) {
   return result;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

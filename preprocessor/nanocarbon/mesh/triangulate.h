@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
 
 #include "nanocarbon/mesh/polygon_soup.h"
 
-namespace nanocarbon {
+namespace nanocarbon::mesh {
 
 //! Corners of a polygon above which it is not triangulated; the time may grow with their square.
 constexpr std::size_t most_corners = 10000;
@@ -28,4 +29,4 @@ struct Triangulated {
 //! \pre can_be_triangulated(soup)
 Triangulated triangulate(const PolygonSoup& soup);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::mesh

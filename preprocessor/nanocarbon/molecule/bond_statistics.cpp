@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/molecule/bond_statistics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 namespace {
 
 Vec3 vector_along(const Molecule& molecule, const Bond& bond) {
@@ -80,4 +81,4 @@ std::vector<double> bond_angles(const Molecule& molecule) {
   return angles;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -6,7 +7,7 @@
 
 #include "nanocarbon/molecule/molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 
 //! Minimum, mean, maximum and standard deviation (of the whole set, not of a sample); zeros when it is empty.
 struct Spread {
@@ -43,4 +44,4 @@ std::vector<double> bond_lengths(const Molecule& molecule);
 //! The angles between all pairs of bonds of one atom, degrees, atom by atom. An sp2 sheet has 120 everywhere.
 std::vector<double> bond_angles(const Molecule& molecule);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

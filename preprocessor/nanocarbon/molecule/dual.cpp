@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/molecule/dual.h"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 
 #include "nanocarbon/core/error.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
@@ -145,4 +146,4 @@ Molecule dual(const TriangleMesh& triangulation) {
   return molecule;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

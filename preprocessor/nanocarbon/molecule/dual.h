@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "nanocarbon/mesh/triangle_mesh.h"
 #include "nanocarbon/molecule/molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 
 //! \brief The molecule that is the dual of a triangulation (thesis section 4.7, Algorithm 7).
 //! \details Carbon atom i is the centroid of triangle i; every edge between two triangles is a bond, every
@@ -15,4 +16,4 @@ namespace nanocarbon {
 //! triangle whose vertices are not three different points of the mesh
 Molecule dual(const TriangleMesh& triangulation);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

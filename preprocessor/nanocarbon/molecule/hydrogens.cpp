@@ -1,19 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/molecule/hydrogens.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "nanocarbon/molecule/embedded_graph.h"
+#include "nanocarbon/molecule/molecule_graph.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 namespace {
 
 constexpr double straight = 0.1;  // sine of six degrees: below it two directions span no plane
 
 // The normal of the plane in which an atom with one bond continues its neighbour, and any one where that has
 // no plane.
-Vec3 normal_beyond(const EmbeddedGraph& graph, AtomIndex atom, AtomIndex neighbour, const Vec3& along) {
+Vec3 normal_beyond(const topology::EmbeddedGraph& graph, AtomIndex atom, AtomIndex neighbour,
+                   const Vec3& along) {
   Vec3 best = along.unitOrthogonal();
   double largest = straight;
   for (std::uint32_t h = graph.offsets[neighbour]; h < graph.offsets[neighbour + 1]; ++h) {
@@ -28,7 +30,7 @@ Vec3 normal_beyond(const EmbeddedGraph& graph, AtomIndex atom, AtomIndex neighbo
 }
 
 // Unit vectors of the bonds that are missing.
-std::vector<Vec3> missing_directions(const EmbeddedGraph& graph, AtomIndex atom) {
+std::vector<Vec3> missing_directions(const topology::EmbeddedGraph& graph, AtomIndex atom) {
   const std::uint32_t row = graph.offsets[atom];
   const double sine = std::sqrt(0.75);
   if (graph.degree(atom) == 0) return {Vec3(1, 0, 0), Vec3(-0.5, sine, 0), Vec3(-0.5, -sine, 0)};
@@ -44,7 +46,7 @@ std::vector<Vec3> missing_directions(const EmbeddedGraph& graph, AtomIndex atom)
 }  // namespace
 
 Molecule saturated_with_hydrogen(const Molecule& molecule, const HydrogenOptions& options) {
-  const EmbeddedGraph graph = embedded_graph(molecule);
+  const topology::EmbeddedGraph graph = embedded_graph(molecule);
   Molecule result = molecule;
   for (AtomIndex a = 0; a < molecule.size(); ++a) {
     if (molecule.elements[a] != Element::carbon || graph.degree(a) >= 3) continue;
@@ -58,4 +60,4 @@ Molecule saturated_with_hydrogen(const Molecule& molecule, const HydrogenOptions
   return result;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "nanocarbon/molecule/molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 
 struct HydrogenOptions {
   double bond_length = 1.09;  //!< of carbon to hydrogen, Angstrom
@@ -17,4 +18,4 @@ struct HydrogenOptions {
 //! \pre the bonds are known
 Molecule saturated_with_hydrogen(const Molecule& molecule, const HydrogenOptions& options = {});
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

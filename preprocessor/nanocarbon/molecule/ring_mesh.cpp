@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/molecule/ring_mesh.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace nanocarbon {
+namespace nanocarbon::molecule {
 
 TriangleMesh ring_mesh(const Molecule& molecule) {
   double longest = std::numeric_limits<double>::infinity();
@@ -32,4 +33,4 @@ TriangleMesh ring_mesh(const Molecule& molecule) {
   return mesh;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::molecule

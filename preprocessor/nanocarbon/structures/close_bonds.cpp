@@ -1,18 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/close_bonds.h"
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/molecule/bond_graph.h"
-#include "nanocarbon/molecule/surface_topology.h"
+#include "nanocarbon/molecule/molecule_graph.h"
+#include "nanocarbon/topology/bond_graph.h"
+#include "nanocarbon/topology/surface_topology.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 
 void add_bonds(Molecule& molecule) {
-  molecule.bonds =
-      bonds_within(molecule.positions, molecule.elements, molecule.cell ? &*molecule.cell : nullptr);
+  molecule.bonds = topology::bonds_within(molecule.positions, molecule.elements,
+                                          molecule.cell ? &*molecule.cell : nullptr);
 }
 
 void add_rings(Molecule& molecule, int largest) {
-  SurfaceTopology surface = surface_topology(embedded_graph(molecule), {largest});
+  topology::SurfaceTopology surface =
+      topology::surface_topology(molecule::embedded_graph(molecule), {largest});
   if (surface.problem)
     throw UserError(Failure::failed, "the structure is no surface: " + surface.problem->reason);
   molecule.rings = std::move(surface.rings);
@@ -60,4 +63,4 @@ Molecule without_dangling_atoms(const Molecule& molecule) {
   return kept;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

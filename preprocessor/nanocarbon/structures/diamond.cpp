@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/diamond.h"
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/structures/close_bonds.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 
 Molecule diamond(int cells_x, int cells_y, int cells_z) {
   if (cells_x < 1 || cells_y < 1 || cells_z < 1)
@@ -24,4 +25,4 @@ Molecule diamond(int cells_x, int cells_y, int cells_z) {
   return crystal;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/fullerene.h"
 
 #include <fmt/format.h>
@@ -7,12 +8,12 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/molecule/dual.h"
-#include "nanocarbon/structures/goldberg_coxeter.h"
+#include "nanocarbon/shapes/goldberg_coxeter.h"
+#include "nanocarbon/shapes/icosahedron.h"
 #include "nanocarbon/structures/honeycomb.h"
-#include "nanocarbon/structures/icosahedron.h"
 #include "nanocarbon/structures/spring_relaxation.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 //! Triangles of the flat icosahedron for each one of its faces.
@@ -35,15 +36,15 @@ void check_indices(int h, int k) {
 
 TriangleMesh icosahedral_triangulation(int h, int k) {
   check_indices(h, k);
-  return goldberg_coxeter(icosahedron(std::sqrt(triangles_per_face(h, k))), h, k);
+  return shapes::goldberg_coxeter(shapes::icosahedron(std::sqrt(triangles_per_face(h, k))), h, k);
 }
 
 Molecule fullerene(int h, int k) {
   TriangleMesh triangulation = icosahedral_triangulation(h, k);
   for (Vec3& point : triangulation.points) point *= graphene_lattice_constant;
-  Molecule cage = dual(triangulation);
+  Molecule cage = molecule::dual(triangulation);
   relax_by_springs(cage, {});
   return cage;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/graphene.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 #include "nanocarbon/structures/close_bonds.h"
 #include "nanocarbon/structures/honeycomb.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 constexpr double cell_x = graphene_lattice_constant;
@@ -70,4 +71,4 @@ Molecule graphene_flake(double radius) {
   return flake;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/hydrocarbons.h"
 
 #include <cmath>
@@ -5,7 +6,7 @@
 
 #include "nanocarbon/structures/close_bonds.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -106,4 +107,4 @@ Molecule benzene() {
   return builder.bonded();
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "nanocarbon/molecule/molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 
 //! Small molecules of textbook geometry in free space, with their bonds: for comparing potentials where
 //! coordination numbers, hydrogen and conjugation vary. Lengths and angles are round experimental values, not
@@ -16,4 +17,4 @@ Molecule ethane();
 Molecule cyclopropane();
 Molecule benzene();
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

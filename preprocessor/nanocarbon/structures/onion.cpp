@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/onion.h"
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/structures/fullerene.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 
 void append(Molecule& molecule, const Molecule& other) {
   const auto atoms = static_cast<AtomIndex>(molecule.size());
@@ -27,4 +28,4 @@ Molecule onion(int innermost, int shells) {
   return result;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/schwarzite.h"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/structures/close_bonds.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 Vec3 into_cell(const Vec3& fractional) {
@@ -71,4 +72,4 @@ Molecule schwarzite_p688(int cells_x, int cells_y, int cells_z) {
   return crystal(p688_sites(), 7.8006, {cells_x, cells_y, cells_z});
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "nanocarbon/molecule/molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 
 //! \brief Schwarzite D688 ("polybenzene 6.8^2 D"): hexagons and octagons on Schwarz's D surface, Pn-3m.
 //! \details 24 atoms per primitive cubic cell, a = 6.0635 Angstrom, relaxed with REBO2. M. O'Keeffe, G. B.
 //! Adams and O. F. Sankey, Phys. Rev. Lett. 68, 2325 (1992). One cell has Euler characteristic -2 and only
-//! one side (a translation exchanges the two labyrinths); an even number of cells each way has two. \throw
-//! UserError (usage) for fewer than one cell each way
+//! one side (a translation exchanges the two labyrinths); an even number of cells each way has two.
+//! \throw UserError (usage) for fewer than one cell each way
 Molecule schwarzite_d688(int cells_x, int cells_y, int cells_z);
 
 //! \brief Schwarzite P688 ("polybenzene 6.8^2 P"): hexagons and octagons on Schwarz's P surface, Im-3m.
@@ -16,4 +17,4 @@ Molecule schwarzite_d688(int cells_x, int cells_y, int cells_z);
 //! above.
 Molecule schwarzite_p688(int cells_x, int cells_y, int cells_z);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/spring_relaxation.h"
 
 #include <LBFGS.h>
@@ -10,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 struct Spring {
@@ -86,4 +87,4 @@ SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions&
   return result;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "nanocarbon/molecule/molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 
 struct SpringRelaxationOptions {
   double bond = 1.43;  //!< rest length of bonds, Angstrom
@@ -18,9 +19,10 @@ struct SpringResult {
 };
 
 //! \brief Evens out bonds and angles of a constructed structure, as a start for a minimisation with a real
-//! potential. \details Springs on bonds, and between second neighbours whose rest length is that of a regular
-//! flat ring, minimised by L-BFGS. Nothing is bonded or cut. \pre bonds and rings are known, and the molecule
-//! is in free space
+//! potential.
+//! \details Springs on bonds, and between second neighbours whose rest length is that of a regular flat ring,
+//! minimised by L-BFGS. Nothing is bonded or cut.
+//! \pre bonds and rings are known, and the molecule is in free space
 SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions& options);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

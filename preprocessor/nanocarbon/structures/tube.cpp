@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/tube.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 #include "nanocarbon/structures/close_bonds.h"
 #include "nanocarbon/structures/honeycomb.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 //! A place on the rolled sheet as exact fractions: turn / turns of the circumference, rise / rises of the
@@ -138,4 +139,4 @@ Molecule open_tube(int n, int m, double length) {
   return tube;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include "nanocarbon/molecule/molecule.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 
 //! \brief The geometry of a single-walled carbon nanotube (n, m), from the graphene sheet it is rolled from.
 //! \details Hamada indices: the circumference is the lattice vector n a1 + m a2, with a1 and a2 at 60
@@ -17,7 +18,8 @@ struct TubeGeometry {
 TubeGeometry tube_geometry(int n, int m);
 
 //! \brief A tube that is periodic along z, its axis. Across, the cell is not periodic, with 10 Angstrom to
-//! spare. \throw UserError (usage) for indices below 0, a tube thinner than (3, 0), or fewer than one period
+//! spare.
+//! \throw UserError (usage) for indices below 0, a tube thinner than (3, 0), or fewer than one period
 Molecule periodic_tube(int n, int m, int periods);
 
 //! \brief A tube in free space, cut square at both ends; atoms left with a single bond are removed.
@@ -25,4 +27,4 @@ Molecule periodic_tube(int n, int m, int periods);
 //! \throw UserError (usage) for indices as above or a length too short
 Molecule open_tube(int n, int m, double length);
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

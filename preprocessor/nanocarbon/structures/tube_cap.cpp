@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,22 +10,22 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/structures/capped_tube.h"
 
-namespace nanocarbon {
+namespace nanocarbon::structures {
 namespace {
 
 //! Lattice points closest to a fifth of the circumference, nearest first.
-std::vector<Eisenstein> spokes_near_a_fifth(Eisenstein circumference) {
-  const auto distance = [&](Eisenstein q) {
-    return norm(Eisenstein{5 * q.x - circumference.x, 5 * q.y - circumference.y});
+std::vector<shapes::Eisenstein> spokes_near_a_fifth(shapes::Eisenstein circumference) {
+  const auto distance = [&](shapes::Eisenstein q) {
+    return shapes::norm(shapes::Eisenstein{5 * q.x - circumference.x, 5 * q.y - circumference.y});
   };
-  const Eisenstein about = {std::llround(static_cast<double>(circumference.x) / 5.0),
-                            std::llround(static_cast<double>(circumference.y) / 5.0)};
-  std::vector<Eisenstein> spokes;
+  const shapes::Eisenstein about = {std::llround(static_cast<double>(circumference.x) / 5.0),
+                                    std::llround(static_cast<double>(circumference.y) / 5.0)};
+  std::vector<shapes::Eisenstein> spokes;
   for (std::int64_t x = -3; x <= 3; ++x)
     for (std::int64_t y = -3; y <= 3; ++y) spokes.push_back({about.x + x, about.y + y});
-  std::erase_if(spokes, [&](Eisenstein q) { return norm(q) == 0 || distance(q) > 25 * 5; });
+  std::erase_if(spokes, [&](shapes::Eisenstein q) { return shapes::norm(q) == 0 || distance(q) > 25 * 5; });
   std::stable_sort(spokes.begin(), spokes.end(),
-                   [&](Eisenstein a, Eisenstein b) { return distance(a) < distance(b); });
+                   [&](shapes::Eisenstein a, shapes::Eisenstein b) { return distance(a) < distance(b); });
   return spokes;
 }
 
@@ -35,17 +36,20 @@ struct Cost {
   std::int64_t total = 0;
   int neighbouring_pentagons = 0;
 };
-std::optional<Cost> cost_of(const std::array<Eisenstein, 5>& spoke, Eisenstein circumference) {
+std::optional<Cost> cost_of(const std::array<shapes::Eisenstein, 5>& spoke,
+                            shapes::Eisenstein circumference) {
   // As much as rounding off a cap by about one lattice step is worth.
   constexpr int for_neighbours = 20;
-  const Eisenstein around = conjugate(sixth_turn(2) * circumference);
+  const shapes::Eisenstein around = shapes::conjugate(shapes::sixth_turn(2) * circumference);
   Cost cost;
   for (std::size_t i = 0; i < 5; ++i) {
-    const Eisenstein here = spoke[i], next = sixth_turn(1) * spoke[(i + 1) % 5];
-    const Eisenstein after = sixth_turn(2) * spoke[(i + 2) % 5], progress = (next - here) * around;
-    if (cross(here, next) <= 0 || 2 * progress.x + progress.y <= 0) return std::nullopt;
-    cost.neighbouring_pentagons += (norm(here) == 1) + (norm(next - here) == 1) + (norm(after - here) == 1);
-    cost.total += norm(here) + norm(next - here);
+    const shapes::Eisenstein here = spoke[i], next = shapes::sixth_turn(1) * spoke[(i + 1) % 5];
+    const shapes::Eisenstein after = shapes::sixth_turn(2) * spoke[(i + 2) % 5],
+                             progress = (next - here) * around;
+    if (shapes::cross(here, next) <= 0 || 2 * progress.x + progress.y <= 0) return std::nullopt;
+    cost.neighbouring_pentagons +=
+        (shapes::norm(here) == 1) + (shapes::norm(next - here) == 1) + (shapes::norm(after - here) == 1);
+    cost.total += shapes::norm(here) + shapes::norm(next - here);
   }
   cost.total += for_neighbours * cost.neighbouring_pentagons;
   return cost;
@@ -54,16 +58,16 @@ std::optional<Cost> cost_of(const std::array<Eisenstein, 5>& spoke, Eisenstein c
 }  // namespace
 
 TubeCap tube_cap(int n, int m) {
-  const Eisenstein circumference = {n, m};
-  const std::vector<Eisenstein> choice = spokes_near_a_fifth(circumference);
+  const shapes::Eisenstein circumference = {n, m};
+  const std::vector<shapes::Eisenstein> choice = spokes_near_a_fifth(circumference);
   TubeCap best;
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (const Eisenstein a : choice)
-    for (const Eisenstein b : choice)
-      for (const Eisenstein c : choice)
-        for (const Eisenstein d : choice) {
-          const Eisenstein e = circumference - a - b - c - d;
-          if (norm(e) == 0) continue;
+  for (const shapes::Eisenstein a : choice)
+    for (const shapes::Eisenstein b : choice)
+      for (const shapes::Eisenstein c : choice)
+        for (const shapes::Eisenstein d : choice) {
+          const shapes::Eisenstein e = circumference - a - b - c - d;
+          if (shapes::norm(e) == 0) continue;
           const std::optional<Cost> cost = cost_of({a, b, c, d, e}, circumference);
           if (!cost || cost->total >= least) continue;
           least = cost->total;
@@ -77,4 +81,4 @@ TubeCap tube_cap(int n, int m) {
   return best;
 }
 
-}  // namespace nanocarbon
+}  // namespace nanocarbon::structures

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 //! \file
 //! \brief As much of fmt as LAMMPS's installed headers name. They come without it.
-//! \details LAMMPS's own functions with a format string must not be called with these: they are deleted. The forms
-//! that take one std::string (error->all, utils::logmesg) need nothing from here.
+//! \details LAMMPS's own functions with a format string must not be called with these: they are deleted. The
+//! forms that take one std::string (error->all, utils::logmesg) need nothing from here.
 
 #include <cstddef>
 #include <stdexcept>

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/bond_switching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "nanocarbon/annealing/refused_switches.h"
+#include "nanocarbon/annealing/switching_trial.h"
+#include "nanocarbon/core/thread_team.h"
+#include "nanocarbon/potential/rebo2/parameters.h"
+
+namespace nanocarbon::annealing {
+
+namespace {
+
+constexpr std::size_t batch = 8;  // trials on one state; fixed, so that threads do not change the outcome
+
+// A hundredth more or less than the target costs 20 eV, but a single pair of atoms may come and go in small
+// molecules.
+double default_penalty(double target) {
+  return std::max(1 / target, std::min(200000 / (target * target), 0.05));
+}
+
+// Rings that are no hexagons, with constant-time updates and an order that depends only on the history.
+class DefectList {
+ public:
+  explicit DefectList(const TrivalentNetwork& network) {
+    for (RingIndex r = 0; r < network.rings.size(); ++r) update(network, r);
+  }
+  void update(const TrivalentNetwork& network, RingIndex ring) {
+    if (place_.size() <= ring) place_.resize(network.rings.size(), none);
+    const TrivalentRing& r = network.rings[ring];
+    const bool defect = r.size != 0 && r.size != 6 && !r.boundary;
+    if (defect == (place_[ring] != none)) return;
+    if (defect) {
+      place_[ring] = list_.size();
+      list_.push_back(ring);
+    } else {
+      list_[place_[ring]] = list_.back();
+      place_[list_.back()] = place_[ring];
+      list_.pop_back();
+      place_[ring] = none;
+    }
+  }
+  const std::vector<RingIndex>& list() const { return list_; }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<RingIndex> list_;
+  std::vector<std::size_t> place_;
+};
+
+// What one place of a batch has come to.
+struct Attempt {
+  std::size_t trials = 0;  // drawn, those known to be refused included
+  bool made = false;
+  std::uint64_t key = 0;
+  double allowance = 0;
+  Trial trial;
+};
+
+constexpr double least_cosine = 0.2;  // of the angle between an atom's normal and the surface's
+
+class Annealer {
+ public:
+  Annealer(SwitchingState& state, const TetherSurface& surface, const BondSwitchingOptions& options)
+      : state_(state),
+        surface_(surface),
+        options_(options),
+        team_(std::clamp(options.threads, 1u, static_cast<unsigned>(batch))),
+        workspaces_(team_.size()),
+        defects_(state.network) {
+    target_ = options.target_atoms ? options.target_atoms : state.network.atoms.size();
+    atoms_ = state.network.atoms.size();
+    penalty_ =
+        options.count_penalty >= 0 ? options.count_penalty : default_penalty(static_cast<double>(target_));
+    state_.tether = options.tether;
+    identity_.resize(atoms_);
+    std::iota(identity_.begin(), identity_.end(), 0u);
+    next_identity_ = static_cast<std::uint32_t>(atoms_);
+    changed_.assign(atoms_, 0);
+  }
+
+  BondSwitchingResult run() {
+    result_.energy_before = relax_state(state_, surface_, 200, 0.02) / static_cast<double>(atoms_);
+    double best_score = score(result_.energy_before * static_cast<double>(atoms_));
+    SwitchingState best = state_;
+    result_.energy = result_.energy_before;
+    for (int block = 0; block < options_.blocks && !defects_.list().empty(); ++block) {
+      const double progress = options_.blocks > 1 ? static_cast<double>(block) / (options_.blocks - 1) : 1;
+      terms_.temperature = options_.hot * std::pow(options_.cold / options_.hot, progress);
+      run_block();
+      refused_.next_block();
+      compact_state();
+      const double energy = relax_state(state_, surface_, 150, 0.02);
+      const double per_atom = energy / static_cast<double>(atoms_);
+      if (options_.progress) options_.progress(block, per_atom, atoms_, defects_.list().size());
+      if (score(energy) < best_score) {
+        best_score = score(energy);
+        best = state_;
+        result_.energy = per_atom;
+      }
+    }
+    state_ = std::move(best);
+    result_.defects = DefectList(state_.network).list().size();
+    return result_;
+  }
+
+ private:
+  // Comparable between atom counts: what bends and binds differently from graphene, at the price of a wrong
+  // count.
+  double score(double energy) const {
+    return energy - static_cast<double>(atoms_) * rebo2::graphene_energy + penalty_ * above() * above();
+  }
+  double above() const { return static_cast<double>(atoms_) - static_cast<double>(target_); }
+
+  void run_block() {
+    const auto trials =
+        static_cast<std::size_t>(options_.trials_per_defect * static_cast<double>(defects_.list().size()));
+    std::size_t since_relaxation = 0;
+    const std::size_t relax_every = std::max<std::size_t>(40, atoms_ / 50);
+    const std::size_t enough = result_.trials + trials;
+    while (result_.trials < enough && !defects_.list().empty()) {
+      run_batch();
+      for (const Attempt& attempt : batch_) {
+        result_.trials += attempt.trials;
+        if (attempt.trial.accepted && !overlaps(attempt.trial)) {
+          commit(attempt.trial);
+          ++since_relaxation;
+        } else if (attempt.made && !attempt.trial.accepted) {
+          refused_.add(attempt.key, attempt.allowance, batch_number_);
+        }
+      }
+      if (since_relaxation >= relax_every) {
+        compact_state();
+        relax_state(state_, surface_, 15, 0.02);
+        since_relaxation = 0;
+      }
+    }
+  }
+
+  void run_batch() {
+    batch_.assign(batch, Attempt{});
+    terms_.count_penalty = penalty_;
+    terms_.climb_share = options_.climb_share;
+    terms_.atoms_above_target = static_cast<long>(atoms_) - static_cast<long>(target_);
+    const std::uint64_t first = next_stream_;
+    next_stream_ += batch;
+    team_.run(batch, [&](std::size_t k, unsigned thread) {
+      RandomStream random(options_.seed, first + k);
+      batch_[k] = attempt(random, workspaces_[thread]);
+    });
+    changed_.resize(state_.network.atoms.size(), 0);
+    ++batch_number_;
+  }
+
+  // Most draws cost next to nothing: ring sizes rule them out, or the same switch has been refused before
+  // under a higher allowance. Draws until one must be tried.
+  Attempt attempt(RandomStream& random, TrialWorkspace& workspace) const {
+    Attempt attempt;
+    constexpr int draws = 60;
+    for (int draw = 0; draw < draws && !attempt.made; ++draw) {
+      auto edit = draw_edit(state_.network, defects_.list(), options_.climb_share, random);
+      if (!edit) continue;
+      ++attempt.trials;
+      attempt.allowance = draw_allowance(*edit, terms_, random);
+      attempt.key = switch_key(*edit, identity_);
+      if (refused_.contains(attempt.key, attempt.allowance, last_change(*edit))) continue;
+      attempt.made = true;
+      attempt.trial = try_edit(state_, std::move(*edit), attempt.allowance, least_cosine, workspace);
+    }
+    attempt.trials = std::max<std::size_t>(attempt.trials, 1);
+    return attempt;
+  }
+
+  // The batch that moved one of the switch's own atoms last: what happens farther away hardly matters.
+  std::uint64_t last_change(const NetworkEdit& edit) const {
+    std::uint64_t last = 0;
+    for (const auto& change : edit.atoms)
+      if (change.atom < changed_.size()) last = std::max(last, changed_[change.atom]);
+    return last;
+  }
+
+  bool overlaps(const Trial& trial) const {
+    return std::any_of(trial.looked.begin(), trial.looked.end(),
+                       [&](AtomIndex a) { return a < changed_.size() && changed_[a] == batch_number_; });
+  }
+
+  void commit(const Trial& trial) {
+    const auto added = commit_edit(state_.network, *trial.edit, free_atoms_, free_rings_);
+    state_.positions.resize(state_.network.atoms.size(), Vec3::Zero());
+    state_.planes.resize(state_.network.atoms.size());
+    changed_.resize(state_.network.atoms.size(), 0);
+    identity_.resize(state_.network.atoms.size());
+    if (trial.edit->atoms_added() > 0)
+      for (const AtomIndex a : added) identity_[a] = next_identity_++;
+    for (std::size_t k = 0; k < trial.moved.size(); ++k) {
+      AtomIndex a = trial.moved[k];
+      if (a == added_atoms[0]) a = added[0];
+      if (a == added_atoms[1]) a = added[1];
+      state_.positions[a] = trial.positions[k];
+      state_.planes[a] = trial.planes[k];
+      changed_[a] = batch_number_;
+    }
+    atoms_ = static_cast<std::size_t>(static_cast<long>(atoms_) + trial.edit->atoms_added());
+    for (const auto& [ring, change] : trial.edit->rings)
+      if (ring != added_ring) defects_.update(state_.network, ring);
+    for (const auto& change : trial.edit->atoms)
+      if (change.record.exists())
+        for (const RingIndex r : change.record.ring)
+          if (r == added_ring) defects_.update(state_.network, state_.network.atoms[added[0]].ring[2]);
+    ++result_.accepted;
+  }
+
+  void compact_state() {
+    if (free_atoms_.empty() && free_rings_.empty()) return;
+    const std::vector<AtomIndex> former = compact(state_.network);
+    for (std::size_t a = 0; a < former.size(); ++a) {
+      state_.positions[a] = state_.positions[former[a]];
+      state_.planes[a] = state_.planes[former[a]];
+      changed_[a] = changed_[former[a]];
+      identity_[a] = identity_[former[a]];
+    }
+    state_.positions.resize(former.size());
+    state_.planes.resize(former.size());
+    free_atoms_.clear();
+    free_rings_.clear();
+    changed_.resize(former.size());
+    identity_.resize(former.size());
+    defects_ = DefectList(state_.network);
+  }
+
+  SwitchingState& state_;
+  const TetherSurface& surface_;
+  const BondSwitchingOptions& options_;
+  ThreadTeam team_;
+  std::vector<TrialWorkspace> workspaces_;
+  DefectList defects_;
+  std::vector<Attempt> batch_;
+  RefusedSwitches refused_;
+  std::vector<std::uint32_t> identity_;  // of each atom, whatever entry it has
+  std::uint32_t next_identity_ = 0;
+  std::vector<std::uint64_t> changed_;  // number of the last batch that moved the atom
+  std::uint64_t batch_number_ = 0, next_stream_ = 0;
+  std::vector<AtomIndex> free_atoms_;
+  std::vector<RingIndex> free_rings_;
+  TrialTerms terms_;
+  std::size_t target_ = 0, atoms_ = 0;
+  double penalty_ = 0;
+  BondSwitchingResult result_;
+};
+
+}  // namespace
+
+double relax_state(SwitchingState& state, const TetherSurface& surface, int max_iterations,
+                   double force_tolerance) {
+  FixedBondModel model;
+  model.rebo2.set_graph(fixed_bond_graph(state.network));
+  model.tether = state.tether;
+  model.free_mean = state.free_mean;
+  if (state.planes.size() != state.positions.size()) state.planes = tangent_planes(surface, state.positions);
+  model.planes = std::move(state.planes);
+  const minimisation::LbfgsResult relaxed =
+      minimise_fixed_bonds(model, &surface, state.positions,
+                           {.max_iterations = max_iterations, .force_tolerance = force_tolerance});
+  state.planes = std::move(model.planes);
+  state.mean_height = state.free_mean ? mean_height(state.planes, state.positions) : 0;
+  state.contacts = std::move(model.contacts);
+  state.contacts.renew(state.positions, model.rebo2.graph().neighbours);
+  return relaxed.energy;
+}
+
+BondSwitchingResult anneal_bonds(SwitchingState& state, const TetherSurface& surface,
+                                 const BondSwitchingOptions& options) {
+  return Annealer(state, surface, options).run();
+}
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/fixed_bond_graph.h"
+
+#include <fmt/format.h>
+
+#include "nanocarbon/core/error.h"
+
+namespace nanocarbon::annealing {
+
+FixedBondGraph fixed_bond_graph(const Molecule& molecule) {
+  FixedBondGraph graph;
+  graph.neighbours.assign(molecule.size(), {no_atom, no_atom, no_atom});
+  const auto add = [&](AtomIndex from, AtomIndex to) {
+    for (AtomIndex& slot : graph.neighbours[from])
+      if (slot == no_atom) {
+        slot = to;
+        return;
+      }
+    throw UserError(Failure::unsuitable,
+                    fmt::format("atom {} has more than three bonds; only sp2 carbon can be relaxed", from));
+  };
+  for (const Bond& bond : molecule.bonds) {
+    add(bond.first, bond.second);
+    add(bond.second, bond.first);
+  }
+  return graph;
+}
+
+FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network) {
+  FixedBondGraph graph;
+  graph.neighbours.reserve(network.atoms.size());
+  for (const TrivalentAtom& atom : network.atoms)
+    graph.neighbours.push_back(atom.exists() ? atom.neighbour : std::array{no_atom, no_atom, no_atom});
+  return graph;
+}
+
+}  // namespace nanocarbon::annealing

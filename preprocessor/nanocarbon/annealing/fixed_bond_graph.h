@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "nanocarbon/annealing/trivalent_network.h"
+#include "nanocarbon/molecule/molecule.h"
+
+namespace nanocarbon::annealing {
+
+//! \brief The bonds of a molecule or of a patch of one: three neighbours of each atom, no_atom for a missing
+//! one.
+//! \details Every atom stands for half of each of its bonds. In a patch, atoms from `inner` on only lend
+//! their positions: they stand for nothing, and bonds to them have no dihedral term.
+struct FixedBondGraph {
+  std::vector<std::array<AtomIndex, 3>> neighbours;
+  std::size_t inner = static_cast<std::size_t>(-1);
+
+  std::size_t inner_count() const { return std::min(inner, neighbours.size()); }
+  bool complete(AtomIndex atom) const {
+    const auto& n = neighbours[atom];
+    return n[0] != no_atom && n[1] != no_atom && n[2] != no_atom;
+  }
+  //! Which of an atom's three neighbours another is.
+  //! \pre they are bonded
+  std::uint32_t slot(AtomIndex atom, AtomIndex neighbour) const {
+    const auto& n = neighbours[atom];
+    return n[0] == neighbour ? 0 : n[1] == neighbour ? 1 : 2;
+  }
+};
+
+//! The bond graph of a molecule in free space.
+//! \throw UserError (unsuitable) if an atom has more than three bonds.
+FixedBondGraph fixed_bond_graph(const Molecule& molecule);
+
+//! The bond graph of a network; unused atoms have no neighbours.
+FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network);
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/fixed_bond_model.h"
+
+#include <algorithm>
+
+#include "nanocarbon/annealing/network_guards.h"
+
+namespace nanocarbon::annealing {
+
+double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
+  double energy = rebo2.evaluate(positions, gradient);
+  energy += add_guards(rebo2.graph(), positions, gradient);
+  energy += contacts.evaluate(positions, rebo2.graph().neighbours, gradient);
+  if (!planes.empty()) energy += add_tether(planes, tether, positions, gradient, free_mean);
+  return energy;
+}
+
+minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const TetherSurface* surface,
+                                               std::vector<Vec3>& positions,
+                                               const minimisation::LbfgsOptions& options, int renewal) {
+  const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) { return model.evaluate(x, g); };
+  minimisation::LbfgsResult result;
+  int iterations = 0;
+  do {
+    if (surface) model.planes = tangent_planes(*surface, positions, model.planes);
+    minimisation::LbfgsOptions part = options;
+    part.max_iterations = options.max_iterations - iterations;
+    if (surface) part.max_iterations = std::min(part.max_iterations, renewal);
+    result = minimisation::minimise_lbfgs(positions, energy, part);
+    iterations += std::max(result.iterations, 1);
+    // Planes renewed after convergence would move the minimum by a little: the caller's tolerance has been
+    // met.
+  } while (!result.converged && iterations < options.max_iterations);
+  result.iterations = iterations;
+  return result;
+}
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "nanocarbon/annealing/fixed_bond_graph.h"
+#include "nanocarbon/annealing/fixed_bond_loops.h"
+
+namespace nanocarbon::annealing {
+
+//! \brief REBO2 of three-coordinated carbon on a given bond graph: no cut-off, so no bond breaks or forms.
+//! \details For integer coordination 3 the potential of pair_style rebo reduces to V_R, V_A, the first branch
+//! of g_C and the dihedral term with T = -0.004048; P_CC(2, 0) and pi_RC vanish. Minima agree with the full
+//! potential as long as bonds stay below 1.7 Angstrom and other pairs above 2.0. Atoms with fewer bonds
+//! (boundaries) get no dihedral and no pi_RC term, which is an approximation. Brenner et al., J. Phys.
+//! Condens. Matter 14, 783 (2002).
+class FixedBondRebo2 {
+ public:
+  void set_graph(const FixedBondGraph& graph);
+  const FixedBondGraph& graph() const { return graph_; }
+
+  //! Energy of the inner atoms in eV; gradient (eV/Angstrom) is added to.
+  //! \details By vector loops where all bonds and angles are in their range, otherwise bond by bond.
+  //! \pre both spans have the size of graph().neighbours
+  double evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient);
+
+  //! The same bond by bond, whatever the geometry; agrees with the above to 1e-9 eV for each atom.
+  double evaluate_each_bond(std::span<const Vec3> positions, std::span<Vec3> gradient);
+
+ private:
+  struct HalfEdge {
+    double x, y, z, length;  // unit vector towards the neighbour
+  };
+  struct Angle {
+    double cosine, g, slope, weight;
+  };
+  std::vector<HalfEdge> edges_;
+  // dE by the unit vector, and in place of the length dE by the length: of a bond at the half-edge that it is
+  // evaluated from.
+  std::vector<HalfEdge> edge_gradient_;
+  std::vector<Angle> angles_;  // opposite to slot s of each atom
+
+  FixedBondGraph graph_;
+  FixedBondLoops loops_;
+  std::vector<AtomIndex> incomplete_;  // inner atoms with less than three bonds
+
+  void resize_scratch();
+  void set_edges(std::size_t atom, std::span<const Vec3> positions);
+  void set_angles(std::size_t atom);
+  double add_bond(std::uint32_t h, std::uint32_t reverse);
+  void add_forces(std::size_t atom, std::span<Vec3> gradient);
+};
+
+}  // namespace nanocarbon::annealing

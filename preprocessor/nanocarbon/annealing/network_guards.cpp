@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/network_guards.h"
+
+#include <algorithm>
+
+#include "nanocarbon/annealing/harmonic_pair.h"
+
+namespace nanocarbon::annealing {
+
+namespace {
+
+constexpr double stiffness = 20;  // eV/Angstrom^2
+
+}  // namespace
+
+double add_guards(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient) {
+  constexpr double long2 = longest_unguarded_bond * longest_unguarded_bond;
+  constexpr double close2 = closest_unguarded_second_neighbours * closest_unguarded_second_neighbours;
+  double energy = 0;
+  const std::size_t atoms = graph.inner_count();
+  for (AtomIndex a = 0; a < atoms; ++a) {
+    const auto& neighbours = graph.neighbours[a];
+    for (unsigned s = 0; s < 3; ++s) {
+      const AtomIndex n = neighbours[s], m = neighbours[(s + 1) % 3];
+      if (n == no_atom) continue;
+      if (n > a && (positions[n] - positions[a]).squaredNorm() > long2)
+        energy += add_harmonic_pair(positions[a], positions[n], longest_unguarded_bond, stiffness,
+                                    gradient[a], gradient[n]);
+      if (m != no_atom && (positions[n] - positions[m]).squaredNorm() < close2)
+        energy += add_harmonic_pair(positions[n], positions[m], closest_unguarded_second_neighbours,
+                                    stiffness, gradient[n], gradient[m]);
+    }
+  }
+  return energy;
+}
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/network_springs.h"
+
+#include <algorithm>
+
+#include "nanocarbon/annealing/harmonic_pair.h"
+
+namespace nanocarbon::annealing {
+
+double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient,
+                   const SpringOptions& options) {
+  double energy = 0;
+  const std::size_t atoms = graph.inner_count();
+  for (AtomIndex a = 0; a < atoms; ++a) {
+    const auto& neighbours = graph.neighbours[a];
+    for (unsigned s = 0; s < 3; ++s) {
+      const AtomIndex n = neighbours[s], m = neighbours[(s + 1) % 3];
+      if (n == no_atom) continue;
+      if (n > a)
+        energy += add_harmonic_pair(positions[a], positions[n], bond_rest_length, options.bond, gradient[a],
+                                    gradient[n]);
+      if (m != no_atom)
+        energy += add_harmonic_pair(positions[n], positions[m], second_neighbour_rest_length,
+                                    options.second_neighbour, gradient[n], gradient[m]);
+    }
+  }
+  return energy;
+}
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <span>
+
+#include "nanocarbon/annealing/fixed_bond_rebo2.h"
+
+namespace nanocarbon::annealing {
+
+//! Rest lengths of graphene's springs, Angstrom.
+inline constexpr double bond_rest_length = 1.42;
+inline constexpr double second_neighbour_rest_length = 2.46;
+
+//! Spring constants, eV/Angstrom^2.
+struct SpringOptions {
+  double bond = 30;
+  double second_neighbour = 6;
+};
+
+//! \brief Harmonic springs along the bonds and between the two ends of each angle.
+//! \details Softer than REBO2 and defined for any geometry: brings a raw dual into REBO2's range without
+//! changing a bond.
+//! \return eV; the gradient (eV/Angstrom) is added to
+double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient,
+                   const SpringOptions& options = {});
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/refine_network.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace nanocarbon::annealing {
+
+SwitchingState refined_in_four(const SwitchingState& coarse, const TetherSurface& finer_surface) {
+  TriangleMesh mesh = triangulation_of(coarse.network, coarse.positions);
+  for (Vec3& p : mesh.points) p = finer_surface.nearest(2 * p);
+  TriangleMesh fine;
+  fine.points = mesh.points;
+  std::unordered_map<std::uint64_t, VertexIndex>
+      midpoint_of;  // by edge; looked up only, never walked through
+  const auto midpoint = [&](VertexIndex a, VertexIndex b) {
+    const std::uint64_t key = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
+    const auto [entry, added] = midpoint_of.try_emplace(key, static_cast<VertexIndex>(fine.points.size()));
+    if (added) fine.points.push_back(finer_surface.nearest(0.5 * (mesh.points[a] + mesh.points[b])));
+    return entry->second;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    const VertexIndex m[3] = {midpoint(t[1], t[2]), midpoint(t[2], t[0]), midpoint(t[0], t[1])};
+    fine.triangles.push_back({t[0], m[2], m[1]});
+    fine.triangles.push_back({t[1], m[0], m[2]});
+    fine.triangles.push_back({t[2], m[1], m[0]});
+    fine.triangles.push_back({m[0], m[1], m[2]});
+  }
+  SwitchingState state;
+  state.network = trivalent_network(fine);
+  state.tether = coarse.tether;
+  state.free_mean = coarse.free_mean;
+  for (const Triangle& t : fine.triangles)
+    state.positions.push_back((fine.points[t[0]] + fine.points[t[1]] + fine.points[t[2]]) / 3);
+  return state;
+}
+
+}  // namespace nanocarbon::annealing

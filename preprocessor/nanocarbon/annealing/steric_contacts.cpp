@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/steric_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nanocarbon/core/neighbours_within.h"
+
+namespace nanocarbon::annealing {
+
+namespace {
+
+constexpr double stiffness = 8;  // eV/Angstrom^2
+constexpr double margin = 0.8;   // Angstrom
+
+// Atoms that walks of two and of three bonds lead to: all within three bonds, since walks may turn back. Some
+// stand there twice; no_atom fills up at boundaries.
+using Walks = std::array<AtomIndex, 9 + 27>;
+
+void walk_three_bonds(const StericContacts::Neighbours& neighbours, AtomIndex start, Walks& found) {
+  found.fill(no_atom);
+  std::size_t second = 0, third = 9;
+  for (const AtomIndex n : neighbours[start]) {
+    if (n == no_atom) continue;
+    for (const AtomIndex m : neighbours[n]) {
+      if (m == no_atom) continue;
+      found[second++] = m;
+      for (const AtomIndex l : neighbours[m]) found[third++] = l;
+    }
+  }
+}
+
+// Atoms at most `bonds` bonds away from the start, found breadth first; sorted.
+void atoms_within_bonds(const StericContacts::Neighbours& neighbours, AtomIndex start, unsigned bonds,
+                        std::vector<AtomIndex>& found) {
+  found.assign(1, start);
+  std::size_t shell = 0;
+  for (unsigned distance = 0; distance < bonds; ++distance) {
+    const std::size_t end = found.size();
+    for (; shell < end; ++shell)
+      for (const AtomIndex n : neighbours[found[shell]])
+        if (n != no_atom && std::find(found.begin(), found.end(), n) == found.end()) found.push_back(n);
+  }
+  std::sort(found.begin(), found.end());
+}
+
+}  // namespace
+
+double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a) {
+  const Vec3 d = a - b;
+  const double r2 = d.squaredNorm();
+  if (r2 >= steric_reach * steric_reach) return 0;
+  const double r = std::max(std::sqrt(r2), 1e-6), overlap = steric_reach - r;
+  gradient_at_a -= stiffness * overlap / r * d;
+  return 0.5 * stiffness * overlap * overlap;
+}
+
+void StericContacts::renew(std::span<const Vec3> positions, const Neighbours& neighbours) {
+  reference_.assign(positions.begin(), positions.end());
+  const NeighbourList candidates = neighbours_within(positions, nullptr, steric_reach + margin);
+  offsets_.assign(1, 0);
+  near_.clear();
+  const auto used = [&](AtomIndex a) {
+    const auto& n = neighbours[a];
+    return n[0] != no_atom || n[1] != no_atom || n[2] != no_atom;
+  };
+  Walks close;
+  std::vector<AtomIndex> bonded;
+  for (AtomIndex a = 0; a < positions.size(); ++a) {
+    // In a flat sheet every candidate is within three bonds; only curved or folded places need the search.
+    if (used(a)) {
+      walk_three_bonds(neighbours, a, close);
+      bonded.clear();
+      for (const Neighbour& candidate : candidates.of(a)) {
+        if (!used(candidate.atom) || std::find(close.begin(), close.end(), candidate.atom) != close.end())
+          continue;
+        if (bonded.empty()) atoms_within_bonds(neighbours, a, steric_excluded_bonds, bonded);
+        if (!std::binary_search(bonded.begin(), bonded.end(), candidate.atom))
+          near_.push_back(candidate.atom);
+      }
+    }
+    offsets_.push_back(near_.size());
+  }
+}
+
+double StericContacts::evaluate(std::span<const Vec3> positions, const Neighbours& neighbours,
+                                std::span<Vec3> gradient) {
+  bool stale = reference_.size() != positions.size();
+  for (std::size_t a = 0; a < positions.size() && !stale; ++a)
+    stale = (positions[a] - reference_[a]).squaredNorm() > 0.25 * margin * margin;
+  if (stale) renew(positions, neighbours);
+  double energy = 0;
+  for (AtomIndex a = 0; a < positions.size(); ++a)
+    for (const AtomIndex b : near(a)) {
+      if (b < a) continue;
+      Vec3 at_a = Vec3::Zero();
+      energy += steric_pair(positions[a], positions[b], at_a);
+      gradient[a] += at_a;
+      gradient[b] -= at_a;
+    }
+  return energy;
+}
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "nanocarbon/annealing/fixed_bond_rebo2.h"
+
+namespace nanocarbon::annealing {
+
+//! Distance below which unbonded atoms repel each other, Angstrom. REBO2 itself sees other atoms up to 2.0.
+inline constexpr double steric_reach = 2.9;
+
+//! Bonds apart up to which two atoms never repel: the angles and rings of the network hold those apart.
+inline constexpr unsigned steric_excluded_bonds = 3;
+
+//! Harmonic repulsion of one pair: (k / 2)(reach - r)^2 below the reach, k = 8 eV/Angstrom^2. Adds the
+//! gradient at `a` to it and returns the energy in eV; the gradient at b is its opposite.
+double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a);
+
+//! \brief Keeps atoms apart that are not bonded: sheets that nearly touch, thin parts, folds.
+//! \details The fixed-bond energy does not know unbonded atoms. Pairs are taken from a cell list with a
+//! margin and renewed once an atom has moved half of it.
+class StericContacts {
+ public:
+  using Neighbours = std::vector<std::array<AtomIndex, 3>>;
+
+  //! Lists the pairs of atoms more than steric_excluded_bonds apart that are within the reach and the margin.
+  void renew(std::span<const Vec3> positions, const Neighbours& neighbours);
+
+  //! Energy in eV, gradient added to; renews the pairs first where atoms have moved too far.
+  double evaluate(std::span<const Vec3> positions, const Neighbours& neighbours, std::span<Vec3> gradient);
+
+  //! Atoms listed as near the given one, in both directions.
+  std::span<const AtomIndex> near(AtomIndex atom) const {
+    if (atom + 1 >= offsets_.size()) return {};
+    return {near_.data() + offsets_[atom], near_.data() + offsets_[atom + 1]};
+  }
+
+ private:
+  std::vector<std::size_t> offsets_;
+  std::vector<AtomIndex> near_;
+  std::vector<Vec3> reference_;
+};
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/switching_patch.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "nanocarbon/annealing/network_guards.h"
+#include "nanocarbon/annealing/network_springs.h"
+
+namespace nanocarbon::annealing {
+
+namespace {
+
+// The energy of a bond depends on its atoms' neighbours: what free atoms change reaches this many bonds
+// further.
+constexpr unsigned halo = 3;
+
+}  // namespace
+
+AtomIndex SwitchingPatch::local(AtomIndex global) const {
+  if (global == no_atom) return no_atom;
+  if (global == added_atoms[0] || global == added_atoms[1])
+    return static_cast<AtomIndex>(free_ - 2 + (global == added_atoms[1]));
+  return local_of_[global];
+}
+
+void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit, unsigned radius) {
+  const TrivalentNetwork& network = state.network;
+  local_of_.resize(network.atoms.size(), no_atom);
+  for (const AtomIndex a : global_)  // what the gather before this one left
+    if (a < local_of_.size()) local_of_[a] = no_atom;
+  global_.clear();
+  distance_.clear();
+  radius_ = radius;
+  tether_ = state.tether;
+  mean_height_ = state.mean_height;
+  const auto take = [&](AtomIndex a, unsigned distance) {
+    if (a == no_atom || local_of_[a] != no_atom) return;
+    local_of_[a] = static_cast<AtomIndex>(global_.size());
+    global_.push_back(a);
+    distance_.push_back(distance);
+  };
+  for (const NetworkEdit::AtomChange& change : edit.atoms)
+    if (change.atom != added_atoms[0] && change.atom != added_atoms[1]) take(change.atom, 0);
+  std::size_t at = 0;
+  for (unsigned distance = 1; distance <= radius + halo; ++distance) {
+    const std::size_t end = global_.size();
+    for (; at < end; ++at)
+      if (global_[at] < network.atoms.size())
+        for (const AtomIndex n : network.atoms[global_[at]].neighbour) take(n, distance);
+    if (distance != radius) continue;
+    free_ = global_.size();
+    if (edit.kind == NetworkEdit::Kind::split) {
+      for (const AtomIndex a : added_atoms) {
+        global_.push_back(a);
+        distance_.push_back(0);
+      }
+      free_ += 2;
+    }
+  }
+  atoms_.resize(global_.size());
+  positions_.resize(global_.size());
+  planes_.resize(global_.size());
+  for (std::size_t k = 0; k < global_.size(); ++k) {
+    const AtomIndex a = global_[k];
+    if (a == added_atoms[0] || a == added_atoms[1]) {
+      atoms_[k] = {{no_atom, no_atom, no_atom}, {no_atom, no_atom, no_atom}};
+      positions_[k] = Vec3::Zero();
+      planes_[k] = {Vec3::Zero(), Vec3::Zero()};
+      continue;
+    }
+    atoms_[k] = network.atoms[a];
+    for (AtomIndex& n : atoms_[k].neighbour) n = local(n);
+    positions_[k] = state.positions[a];
+    planes_[k] = state.planes[a];
+  }
+  list_bonds();
+  list_contacts(state);
+}
+
+void SwitchingPatch::list_bonds() {
+  graph_.neighbours.resize(atoms_.size());
+  for (std::size_t k = 0; k < atoms_.size(); ++k)
+    graph_.neighbours[k] = atoms_[k].exists() ? atoms_[k].neighbour : std::array{no_atom, no_atom, no_atom};
+  // Atoms come in order of distance, and the last shell only lends its positions.
+  graph_.inner = static_cast<std::size_t>(std::find(distance_.begin(), distance_.end(), radius_ + halo) -
+                                          distance_.begin());
+  rebo2_.set_graph(graph_);
+}
+
+void SwitchingPatch::list_contacts(const SwitchingState& state) {
+  contacts_.clear();
+  for (std::uint32_t k = 0; k < free_; ++k) {
+    if (global_[k] >= state.positions.size()) continue;
+    for (const AtomIndex other : state.contacts.near(global_[k])) {
+      if (other >= state.network.atoms.size() || !state.network.atoms[other].exists()) continue;
+      const AtomIndex other_local = local_of_[other];
+      const bool both_free = other_local < free_;
+      if (both_free && other_local < k) continue;
+      contacts_.push_back({k, state.positions[other], both_free ? other_local : no_atom});
+    }
+  }
+}
+
+void SwitchingPatch::take_positions(const SwitchingPatch& smaller) {
+  for (std::size_t k = 0; k < smaller.free_; ++k)
+    positions_[local(smaller.global_[k])] = smaller.positions_[k];
+}
+
+void SwitchingPatch::apply(const NetworkEdit& edit) {
+  for (const auto& [atom, record] : edit.atoms) {
+    TrivalentAtom& changed = atoms_[local(atom)];
+    changed = record;
+    for (AtomIndex& n : changed.neighbour) n = local(n);
+  }
+  if (edit.kind == NetworkEdit::Kind::flip) place_flipped(local(edit.centre[0]), local(edit.centre[1]));
+  if (edit.kind == NetworkEdit::Kind::split) place_added(local(added_atoms[0]), local(added_atoms[1]));
+  list_bonds();
+}
+
+void SwitchingPatch::place_flipped(AtomIndex i, AtomIndex j) {
+  const auto outer = [&](AtomIndex a, AtomIndex other) {
+    Vec3 sum = Vec3::Zero();
+    for (const AtomIndex n : atoms_[a].neighbour)
+      if (n != other) sum += 0.5 * positions_[n];
+    return sum;
+  };
+  const Vec3 centre = 0.5 * (positions_[i] + positions_[j]);
+  const Vec3 direction = (outer(i, j) - outer(j, i)).normalized();
+  positions_[i] = centre + 0.5 * bond_rest_length * direction;
+  positions_[j] = centre - 0.5 * bond_rest_length * direction;
+}
+
+void SwitchingPatch::place_added(AtomIndex u, AtomIndex w) {
+  const auto between = [&](AtomIndex a, AtomIndex other, std::vector<AtomIndex>& ends) {
+    Vec3 sum = Vec3::Zero();
+    for (const AtomIndex n : atoms_[a].neighbour)
+      if (n != other) {
+        sum += 0.5 * positions_[n];
+        ends.push_back(n);
+      }
+    return sum;
+  };
+  std::vector<AtomIndex> ends;
+  positions_[u] = between(u, w, ends);
+  positions_[w] = between(w, u, ends);
+  planes_[u] = planes_[ends[0]];
+  planes_[w] = planes_[ends[2]];
+  const Vec3 apart = positions_[w] - positions_[u];
+  const double length = apart.norm();
+  if (length > bond_rest_length) {
+    const Vec3 inward = 0.5 * (length - bond_rest_length) / length * apart;
+    positions_[u] += 0.5 * inward;
+    positions_[w] -= 0.5 * inward;
+  }
+}
+
+double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span<Vec3> gradient) {
+  std::copy(free.begin(), free.end(), positions_.begin());
+  gradient_.assign(positions_.size(), Vec3::Zero());
+  double energy = rebo2_.evaluate(positions_, gradient_) + add_guards(graph_, positions_, gradient_);
+  for (std::size_t k = 0; k < free_; ++k) {
+    if (!atoms_[k].exists()) continue;
+    const double height = height_above(planes_[k], positions_[k]) - mean_height_;
+    gradient_[k] += tether_ * height * planes_[k].normal;
+    energy += 0.5 * tether_ * height * height;
+  }
+  for (const Contact& contact : contacts_) {
+    if (!atoms_[contact.local].exists()) continue;
+    const bool both_free = contact.other_local != no_atom;
+    if (both_free && !atoms_[contact.other_local].exists()) continue;
+    Vec3 at_own = Vec3::Zero();
+    energy += steric_pair(positions_[contact.local],
+                          both_free ? positions_[contact.other_local] : contact.other, at_own);
+    gradient_[contact.local] += at_own;
+    if (both_free) gradient_[contact.other_local] -= at_own;
+  }
+  for (std::size_t k = 0; k < free_; ++k) gradient[k] += gradient_[k];
+  return energy;
+}
+
+double SwitchingPatch::energy() {
+  const std::vector<Vec3> free(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(free_));
+  std::vector<Vec3> unused(free_, Vec3::Zero());
+  return energy_and_gradient(free, unused);
+}
+
+std::size_t SwitchingPatch::energy_atoms() const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < graph_.inner_count(); ++k) count += atoms_[k].exists() ? 1 : 0;
+  return count;
+}
+
+void SwitchingPatch::relax_springs(int iterations) {
+  std::vector<Vec3> free(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(free_));
+  const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
+    std::copy(x.begin(), x.end(), positions_.begin());
+    gradient_.assign(positions_.size(), Vec3::Zero());
+    const double sum = add_springs(graph_, positions_, gradient_);
+    for (std::size_t k = 0; k < free_; ++k) g[k] += gradient_[k];
+    return sum;
+  };
+  minimisation::minimise_lbfgs(free, energy,
+                               {.max_iterations = iterations, .force_tolerance = 0.1, .max_step = 0.2});
+  std::copy(free.begin(), free.end(), positions_.begin());
+}
+
+minimisation::LbfgsResult SwitchingPatch::relax(const minimisation::LbfgsOptions& options) {
+  std::vector<Vec3> free(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(free_));
+  const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) { return energy_and_gradient(x, g); };
+  const minimisation::LbfgsResult result = minimisation::minimise_lbfgs(free, energy, options);
+  std::copy(free.begin(), free.end(), positions_.begin());
+  return result;
+}
+
+bool SwitchingPatch::unfolded(double least_cosine) const {
+  for (std::size_t k = 0; k < free_; ++k) {
+    const auto& n = atoms_[k].neighbour;
+    if (!atoms_[k].exists() || n[0] == no_atom || n[1] == no_atom || n[2] == no_atom) continue;
+    const Vec3 normal = (positions_[n[1]] - positions_[n[0]]).cross(positions_[n[2]] - positions_[n[0]]);
+    if (normal.dot(planes_[k].normal) < least_cosine * normal.norm()) return false;
+  }
+  return true;
+}
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "nanocarbon/annealing/fixed_bond_model.h"
+#include "nanocarbon/annealing/network_edit.h"
+
+namespace nanocarbon::annealing {
+
+//! A molecule in the making: bond graph, positions and the planes it is tethered to, entry by entry.
+struct SwitchingState {
+  TrivalentNetwork network;
+  std::vector<Vec3> positions;
+  std::vector<TangentPlane> planes;
+  double tether = 0.05;     //!< eV/Angstrom^2
+  bool free_mean = true;    //!< of the heights above the surface, see add_tether()
+  double mean_height = 0;   //!< Angstrom, where the tether is at rest; as of the last relaxation of the whole
+  StericContacts contacts;  //!< as of the last relaxation of the whole
+};
+
+//! \brief The surroundings of a bond switch, copied so that trials can run side by side on one state.
+//! \details Atoms within `radius` bonds of the switch are free, three more shells are held and complete the
+//! energy of every bond that free atoms can change.
+class SwitchingPatch {
+ public:
+  //! Copies the surroundings of an edit.
+  void gather(const SwitchingState& state, const NetworkEdit& edit, unsigned radius);
+
+  //! Takes over positions from a smaller patch of the same edit, after both have applied it.
+  void take_positions(const SwitchingPatch& smaller);
+
+  void apply(const NetworkEdit& edit);  //!< makes the edit on the copy, with first positions for its atoms
+  double energy();                      //!< eV, of the bonds and free atoms of the patch
+  std::size_t energy_atoms() const;     //!< whose bonds that energy is of
+  double energy_and_gradient(std::span<const Vec3> free, std::span<Vec3> gradient);
+  void relax_springs(int iterations);
+  minimisation::LbfgsResult relax(const minimisation::LbfgsOptions& options);
+
+  //! Whether every free atom still faces outward, as the surface's normal does there.
+  bool unfolded(double least_cosine) const;
+
+  std::size_t free_count() const { return free_; }
+  AtomIndex atom(std::size_t local) const { return global_[local]; }  //!< added_atoms for atoms of a split
+  std::size_t size() const { return global_.size(); }
+  const Vec3& position(std::size_t local) const { return positions_[local]; }
+  const TangentPlane& plane(std::size_t local) const { return planes_[local]; }
+
+ private:
+  struct Contact {
+    std::uint32_t local;
+    Vec3 other;                 // where the other atom is held, or
+    std::uint32_t other_local;  // its own entry if that is below free_
+  };
+  std::vector<AtomIndex> global_;
+  std::vector<std::uint32_t> distance_;  // bonds from the switch
+  std::vector<AtomIndex> local_of_;      // by global atom, no_atom outside; restored after each gather
+  std::vector<TrivalentAtom> atoms_;
+  std::vector<Vec3> positions_;
+  std::vector<Vec3> gradient_;
+  std::vector<TangentPlane> planes_;
+  std::vector<Contact> contacts_;
+  FixedBondGraph graph_;
+  FixedBondRebo2 rebo2_;
+  std::size_t free_ = 0;
+  unsigned radius_ = 0;
+  double tether_ = 0;
+  double mean_height_ = 0;
+
+  void list_bonds();
+  void list_contacts(const SwitchingState& state);
+  void place_flipped(AtomIndex i, AtomIndex j);
+  void place_added(AtomIndex u, AtomIndex w);
+  AtomIndex local(AtomIndex global) const;
+};
+
+}  // namespace nanocarbon::annealing

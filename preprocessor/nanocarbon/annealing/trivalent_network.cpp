@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/trivalent_network.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "nanocarbon/core/error.h"
+
+namespace nanocarbon::annealing {
+
+namespace {
+
+// A side of a triangle, seen from its lower vertex.
+struct Side {
+  VertexIndex low;
+  VertexIndex high;
+  AtomIndex triangle;
+  std::uint8_t slot;
+  bool ascending;
+};
+
+std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
+  std::vector<Side> sides;
+  sides.reserve(3 * mesh.triangles.size());
+  for (AtomIndex t = 0; t < mesh.triangles.size(); ++t)
+    for (std::uint8_t s = 0; s < 3; ++s) {
+      const VertexIndex from = mesh.triangles[t][(s + 1) % 3], to = mesh.triangles[t][(s + 2) % 3];
+      sides.push_back({std::min(from, to), std::max(from, to), t, s, from < to});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return sides;
+}
+
+void find_ring_starts(TrivalentNetwork& network) {
+  for (AtomIndex a = 0; a < network.atoms.size(); ++a)
+    for (unsigned s = 0; s < 3; ++s) {
+      TrivalentRing& ring = network.rings[network.atoms[a].ring[s]];
+      ++ring.size;
+      // Clockwise about the corner s lies the side (s, s + 1), which is opposite to s + 2.
+      const bool first = network.atoms[a].neighbour[(s + 2) % 3] == no_atom;
+      if (ring.atom == no_atom || first) ring.atom = a;
+      ring.boundary |= first;
+    }
+}
+
+// The mean of a boundary vertex's atoms lies inwards of it. It belongs where an atom between it and two rings
+// is the centroid of its triangle or, without such an atom, as far beyond its atoms as the rings are before
+// them.
+void move_boundary_out(const TrivalentNetwork& network, std::span<const Vec3> positions, TriangleMesh& mesh) {
+  struct Mean {
+    Vec3 sum = Vec3::Zero();
+    unsigned count = 0;
+    void add(const Vec3& p) { sum += p, ++count; }
+  };
+  std::vector<Mean> centroid_rule(network.rings.size()), beyond(network.rings.size());
+  for (AtomIndex a = 0; a < network.atoms.size(); ++a)
+    for (unsigned s = 0; s < 3; ++s) {
+      const RingIndex r = network.atoms[a].ring[s];
+      if (!network.rings[r].boundary) continue;
+      const RingIndex x = network.atoms[a].ring[(s + 1) % 3], y = network.atoms[a].ring[(s + 2) % 3];
+      if (!network.rings[x].boundary && !network.rings[y].boundary)
+        centroid_rule[r].add(3 * positions[a] - mesh.points[x] - mesh.points[y]);
+      for (const RingIndex inner : {x, y})
+        if (!network.rings[inner].boundary) beyond[r].add(2 * mesh.points[r] - mesh.points[inner]);
+    }
+  for (RingIndex r = 0; r < network.rings.size(); ++r) {
+    const Mean& mean = centroid_rule[r].count > 0 ? centroid_rule[r] : beyond[r];
+    if (mean.count > 0) mesh.points[r] = mean.sum / mean.count;
+  }
+}
+
+}  // namespace
+
+TrivalentNetwork trivalent_network(const TriangleMesh& triangulation) {
+  TrivalentNetwork network;
+  network.rings.resize(triangulation.points.size());
+  for (const Triangle& t : triangulation.triangles)
+    network.atoms.push_back({{no_atom, no_atom, no_atom}, {t[0], t[1], t[2]}});
+  const std::vector<Side> sides = sorted_sides(triangulation);
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
+    const bool paired = end == i + 2 && sides[i].ascending != sides[i + 1].ascending;
+    if (end > i + 1 && !paired)
+      throw UserError(
+          Failure::unsuitable,
+          fmt::format("the triangulation is no oriented 2-manifold at the edge between vertices {} "
+                      "and {}: {} triangles meet there. Repair the mesh first.",
+                      sides[i].low, sides[i].high, end - i));
+    if (paired) {
+      network.atoms[sides[i].triangle].neighbour[sides[i].slot] = sides[i + 1].triangle;
+      network.atoms[sides[i + 1].triangle].neighbour[sides[i + 1].slot] = sides[i].triangle;
+    }
+    i = end;
+  }
+  find_ring_starts(network);
+  return network;
+}
+
+unsigned slot_of_neighbour(const TrivalentAtom& atom, AtomIndex neighbour) {
+  for (unsigned s = 0; s < 3; ++s)
+    if (atom.neighbour[s] == neighbour) return s;
+  return 3;
+}
+
+unsigned slot_of_ring(const TrivalentAtom& atom, RingIndex ring) {
+  for (unsigned s = 0; s < 3; ++s)
+    if (atom.ring[s] == ring) return s;
+  return 3;
+}
+
+void atoms_of_ring(const TrivalentNetwork& network, RingIndex ring, std::vector<AtomIndex>& atoms) {
+  atoms.clear();
+  const AtomIndex start = network.rings[ring].atom;
+  AtomIndex at = start;
+  do {
+    atoms.push_back(at);
+    const TrivalentAtom& atom = network.atoms[at];
+    at = atom.neighbour[(slot_of_ring(atom, ring) + 1) % 3];
+  } while (at != start && at != no_atom);
+}
+
+std::size_t atom_count(const TrivalentNetwork& network) {
+  return static_cast<std::size_t>(std::count_if(network.atoms.begin(), network.atoms.end(),
+                                                [](const TrivalentAtom& a) { return a.exists(); }));
+}
+
+std::vector<AtomIndex> compact(TrivalentNetwork& network) {
+  std::vector<AtomIndex> former;
+  std::vector<AtomIndex> new_atom(network.atoms.size(), no_atom);
+  std::vector<RingIndex> new_ring(network.rings.size(), no_atom);
+  AtomIndex atoms = 0;
+  RingIndex rings = 0;
+  for (AtomIndex a = 0; a < network.atoms.size(); ++a)
+    if (network.atoms[a].exists()) new_atom[a] = atoms++;
+  for (RingIndex r = 0; r < network.rings.size(); ++r)
+    if (network.rings[r].size > 0) new_ring[r] = rings++;
+  for (AtomIndex a = 0; a < network.atoms.size(); ++a) {
+    if (new_atom[a] == no_atom) continue;
+    TrivalentAtom atom = network.atoms[a];
+    for (AtomIndex& n : atom.neighbour)
+      if (n != no_atom) n = new_atom[n];
+    for (RingIndex& r : atom.ring) r = new_ring[r];
+    network.atoms[new_atom[a]] = atom;
+    former.push_back(a);
+  }
+  for (RingIndex r = 0; r < network.rings.size(); ++r) {
+    if (new_ring[r] == no_atom) continue;
+    TrivalentRing ring = network.rings[r];
+    ring.atom = new_atom[ring.atom];
+    network.rings[new_ring[r]] = ring;
+  }
+  network.atoms.resize(atoms);
+  network.rings.resize(rings);
+  return former;
+}
+
+Molecule molecule_of(const TrivalentNetwork& network, std::span<const Vec3> positions) {
+  Molecule molecule;
+  molecule.positions.assign(positions.begin(), positions.end());
+  molecule.elements.assign(positions.size(), Element::carbon);
+  for (AtomIndex a = 0; a < network.atoms.size(); ++a)
+    for (const AtomIndex n : network.atoms[a].neighbour)
+      if (n != no_atom && n > a) molecule.bonds.push_back({a, n});
+  std::sort(molecule.bonds.begin(), molecule.bonds.end());
+  std::vector<AtomIndex> cycle;
+  for (RingIndex r = 0; r < network.rings.size(); ++r) {
+    if (network.rings[r].boundary) continue;
+    atoms_of_ring(network, r, cycle);
+    molecule.rings.atoms.insert(molecule.rings.atoms.end(), cycle.begin(), cycle.end());
+    molecule.rings.offsets.push_back(static_cast<std::uint32_t>(molecule.rings.atoms.size()));
+  }
+  return molecule;
+}
+
+TriangleMesh triangulation_of(const TrivalentNetwork& network, std::span<const Vec3> positions) {
+  TriangleMesh mesh;
+  mesh.points.assign(network.rings.size(), Vec3::Zero());
+  for (AtomIndex a = 0; a < network.atoms.size(); ++a) {
+    const TrivalentAtom& atom = network.atoms[a];
+    mesh.triangles.push_back({atom.ring[0], atom.ring[1], atom.ring[2]});
+    for (const RingIndex r : atom.ring) mesh.points[r] += positions[a] / network.rings[r].size;
+  }
+  move_boundary_out(network, positions, mesh);
+  return mesh;
+}
+
+std::vector<std::size_t> ring_counts(const TrivalentNetwork& network) {
+  std::vector<std::size_t> counts;
+  for (const TrivalentRing& ring : network.rings) {
+    if (ring.size == 0 || ring.boundary) continue;
+    if (ring.size >= counts.size()) counts.resize(ring.size + 1, 0);
+    ++counts[ring.size];
+  }
+  return counts;
+}
+
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/untangle.h"
+
+#include <algorithm>
+
+#include "nanocarbon/core/neighbours_within.h"
+
+namespace nanocarbon::annealing {
+
+namespace {
+
+constexpr double longest_bond = 1.7, closest_unbonded = 2.0;  // where REBO2's cut-off begins and ends
+constexpr int sweeps = 60;
+
+}  // namespace
+
+std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const FixedBondGraph& graph) {
+  std::vector<AtomIndex> tangled;
+  const NeighbourList close = neighbours_within(positions, nullptr, closest_unbonded);
+  for (AtomIndex a = 0; a < positions.size(); ++a) {
+    const auto& bonded = graph.neighbours[a];
+    bool bad = false;
+    for (const AtomIndex n : bonded)
+      bad |= n != no_atom && (positions[n] - positions[a]).norm() > longest_bond;
+    for (const Neighbour& n : close.of(a))
+      bad |= std::find(bonded.begin(), bonded.end(), n.atom) == bonded.end();
+    if (bad) tangled.push_back(a);
+  }
+  return tangled;
+}
+
+std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph, const TetherSurface& surface,
+                     std::span<const AtomIndex> around, unsigned radius) {
+  std::vector<AtomIndex> region(around.begin(), around.end());
+  std::vector<bool> inside(positions.size(), false);
+  for (const AtomIndex a : region) inside[a] = true;
+  std::size_t shell = 0;
+  for (unsigned distance = 0; distance < radius; ++distance) {
+    const std::size_t end = region.size();
+    for (; shell < end; ++shell)
+      for (const AtomIndex n : graph.neighbours[region[shell]])
+        if (n != no_atom && !inside[n]) {
+          inside[n] = true;
+          region.push_back(n);
+        }
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (const AtomIndex a : region) {
+      Vec3 sum = Vec3::Zero();
+      int count = 0;
+      for (const AtomIndex n : graph.neighbours[a])
+        if (n != no_atom) {
+          sum += positions[n];
+          ++count;
+        }
+      if (count == 3) positions[a] = sum / count;
+      // Centroids sink into a curved surface.
+      if (sweep % 10 == 9) positions[a] = surface.nearest(positions[a]);
+    }
+  return region.size();
+}
+
+}  // namespace nanocarbon::annealing

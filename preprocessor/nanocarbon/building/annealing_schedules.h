@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "nanocarbon/annealing/bond_switching.h"
+#include "nanocarbon/building/annealed_options.h"
+
+namespace nanocarbon::building {
+
+//! Times a triangulation can be coarsened to a quarter before too few atoms are left to show a shape; 0 for a
+//! draft, which does not anneal.
+int refinements_for(std::size_t atoms, Quality quality);
+
+//! What all schedules have in common: number of atoms, seed, threads, and how cold they end.
+annealing::BondSwitchingOptions schedule_for(std::size_t atoms, const AnnealOptions& options);
+
+//! From where defects move freely: for molecules small enough, or coarse levels of larger ones.
+//! \param at_length hotter and more slowly, but for the smallest
+annealing::BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, const AnnealOptions& options);
+
+//! For a start at full size.
+//! \param alone no refined start has come about
+annealing::BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone,
+                                                   const AnnealOptions& options);
+
+//! For what is refined from a coarser level and has its order already.
+annealing::BondSwitchingOptions refined_schedule(std::size_t atoms, const AnnealOptions& options);
+
+}  // namespace nanocarbon::building

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/building/potential_choice.h"
+
+#include "nanocarbon/potential/rebo2/rebo2.h"
+
+namespace nanocarbon::building {
+
+std::string_view name(PotentialChoice choice) {
+  switch (choice) {
+    case PotentialChoice::rebo2:
+      break;
+  }
+  return "rebo2";
+}
+
+std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice) {
+  switch (choice) {
+    case PotentialChoice::rebo2:
+      break;
+  }
+  return std::make_unique<rebo2::Rebo2>();
+}
+
+}  // namespace nanocarbon::building

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which potential a molecule is minimised, checked and certified with.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "nanocarbon/potential/potential.h"
+
+namespace nanocarbon::building {
+
+enum class PotentialChoice { rebo2 };
+
+//! The potential's name on the command line and in reports.
+std::string_view name(PotentialChoice choice);
+
+//! A potential with its published parameters.
+std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice);
+
+}  // namespace nanocarbon::building

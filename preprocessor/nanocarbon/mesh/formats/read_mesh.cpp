@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/formats/read_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/formats/input_file.h"
+#include "nanocarbon/mesh/formats/mesh_format.h"
+#include "nanocarbon/mesh/formats/read_obj.h"
+#include "nanocarbon/mesh/formats/read_off.h"
+#include "nanocarbon/mesh/formats/read_ply.h"
+#include "nanocarbon/mesh/formats/read_stl.h"
+#include "nanocarbon/mesh/formats/text_scanner.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+bool begins_like_obj(std::string_view line) {
+  constexpr std::array keywords = {"v", "vt", "vn", "f", "g", "o", "s", "mtllib", "usemtl"};
+  const std::string_view word = line.substr(0, line.find_first_of(" \t\r"));
+  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+[[noreturn]] void fail_unknown(std::string_view contents, const std::string& file) {
+  const char* what = "is no OFF, OBJ, PLY or STL file";
+  if (contents.empty()) what = "is empty";
+  if (contents.starts_with("\x1f\x8b")) what = "is compressed by gzip (unpack it first)";
+  if (contents.starts_with("PK")) what = "is a ZIP archive such as 3MF (unpack or convert it first)";
+  throw UserError(Failure::malformed,
+                  fmt::format("{}: the file {}; give a mesh in one of the formats OFF, OBJ, PLY "
+                              "and STL",
+                              file, what));
+}
+
+MeshFormat format_of(std::string_view contents, const std::string& file) {
+  if (contents.starts_with("ply\n") || contents.starts_with("ply\r") || contents.starts_with("ply "))
+    return MeshFormat::ply;
+  if (is_text_stl(contents) || has_binary_stl_size(contents)) return MeshFormat::stl;
+  TextScanner scanner(contents, file, {});
+  scanner.next_line();
+  if (begins_like_off(scanner.rest())) return MeshFormat::off;
+  if (begins_like_obj(scanner.rest())) return MeshFormat::obj;
+  const std::optional<MeshFormat> hint = format_of_extension(file);
+  if (contents.empty() || !hint || contents.starts_with("\x1f\x8b") || contents.starts_with("PK"))
+    fail_unknown(contents, file);
+  return *hint;
+}
+
+}  // namespace
+
+PolygonSoup parse_mesh(std::string_view contents, const std::string& file) {
+  if (contents.starts_with("\xEF\xBB\xBF")) contents.remove_prefix(3);
+  switch (format_of(contents, file)) {
+    case MeshFormat::off:
+      return read_off(contents, file);
+    case MeshFormat::obj:
+      return read_obj(contents, file);
+    case MeshFormat::ply:
+      return read_ply(contents, file);
+    case MeshFormat::stl:
+      break;
+  }
+  return read_stl(contents, file);
+}
+
+PolygonSoup read_mesh(const std::filesystem::path& path) {
+  return parse_mesh(file_contents(path), path.string());
+}
+
+}  // namespace nanocarbon::mesh

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/formats/read_off.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "nanocarbon/mesh/formats/text_scanner.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+struct Counts {
+  std::uint64_t vertices;
+  std::uint64_t faces;
+};
+
+// Length of the header word that the text begins with, 0 for none. Geomview's order: [ST][C][N][4][n]OFF.
+std::size_t header_length(std::string_view text) {
+  std::size_t length = 0;
+  for (const std::string_view part : {"ST", "C", "N", "4", "n"})
+    if (text.substr(length).starts_with(part)) length += part.size();
+  return text.substr(length).starts_with("OFF") ? length + 3 : 0;
+}
+
+Counts read_counts(TextScanner& scanner) {
+  if (!scanner.next_line()) scanner.fail("the file is empty", "give a mesh file");
+  const std::size_t length = header_length(scanner.rest());
+  if (length != 0) {
+    const std::string_view header = scanner.rest().substr(0, length);
+    if (header.find_first_of("4n") != header.npos)
+      scanner.fail("points in four or n dimensions are not supported", "export a three-dimensional OFF file");
+    // "OFF490 518 0": the ModelNet collection has files without a line end after the header.
+    scanner.give_back(scanner.word().size() - length);
+    if (scanner.rest().find("BINARY") != header.npos)
+      scanner.fail("binary OFF is not supported", "export the mesh as a text OFF or a PLY file");
+    if (scanner.at_line_end() && !scanner.next_line()) scanner.fail("the file ends before the counts");
+  }
+  const std::uint64_t vertices = scanner.count("number of vertices");
+  return {vertices, scanner.count("number of faces")};
+}
+
+void read_vertex(TextScanner& scanner, PolygonSoup& soup) {
+  const double x = scanner.coordinate("x coordinate");
+  const double y = scanner.coordinate("y coordinate");
+  const double z = scanner.coordinate("z coordinate");
+  soup.points.emplace_back(x, y, z);
+}
+
+void read_face(TextScanner& scanner, PolygonSoup& soup) {
+  const std::uint64_t corners = scanner.count("number of corners");
+  if (corners < 3)
+    scanner.fail(fmt::format("face {} has {} corners", soup.faces(), corners), "remove this face");
+  for (std::uint64_t i = 0; i < corners; ++i) {
+    if (scanner.at_line_end())
+      scanner.fail(fmt::format("face {} lists {} of {} corners", soup.faces(), i, corners));
+    const std::uint64_t vertex = scanner.count("vertex number");
+    if (vertex >= soup.points.size())
+      scanner.fail(fmt::format("face {} uses vertex {}, but there are {} vertices, counted from 0",
+                               soup.faces(), vertex, soup.points.size()));
+    soup.corners.push_back(static_cast<VertexIndex>(vertex));
+  }
+  soup.close_face();
+}
+
+}  // namespace
+
+bool begins_like_off(std::string_view line) { return header_length(line) != 0; }
+
+PolygonSoup read_off(std::string_view text, const std::string& file) {
+  TextScanner scanner(text, file, {});
+  const Counts counts = read_counts(scanner);
+  // Promised counts are only a hint for memory: a vertex takes six bytes ("0 0 0\n") or more, a face eight.
+  PolygonSoup soup;
+  soup.points.reserve(std::min<std::uint64_t>(counts.vertices, text.size() / 6));
+  soup.offsets.reserve(std::min<std::uint64_t>(counts.faces, text.size() / 8) + 1);
+  soup.corners.reserve(3 * std::min<std::uint64_t>(counts.faces, text.size() / 8));
+  while (soup.points.size() < counts.vertices) {
+    if (!scanner.next_line())
+      scanner.fail(fmt::format("the file ends after {} of {} vertices", soup.points.size(), counts.vertices));
+    read_vertex(scanner, soup);
+  }
+  while (soup.faces() < counts.faces) {
+    if (!scanner.next_line())
+      scanner.fail(fmt::format("the file ends after {} of {} faces", soup.faces(), counts.faces));
+    read_face(scanner, soup);
+  }
+  if (scanner.next_line())
+    soup.notes.push_back(
+        fmt::format("passed over what follows the last face, from line {} on", scanner.line_number()));
+  return soup;
+}
+
+}  // namespace nanocarbon::mesh

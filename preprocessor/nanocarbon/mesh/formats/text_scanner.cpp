@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/formats/text_scanner.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "nanocarbon/core/error.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+constexpr double largest_coordinate = 1e50;  // its sixth power, a squared volume, does not overflow
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
+
+// std::from_chars calls 1e-400 out of range as it does 1e400; the first is as good as zero.
+bool is_underflow(std::string_view word) {
+  if (word.find_first_of("eE") != std::string_view::npos)
+    return word.find("e-") != word.npos || word.find("E-") != word.npos;
+  return word.substr(0, word.find('.')).find_first_of("123456789") == std::string_view::npos;
+}
+
+}  // namespace
+
+void fail_at_line(const std::string& file, std::size_t line, const std::string& what,
+                  const std::string& remedy) {
+  throw UserError(Failure::malformed, fmt::format("{}:{}: {}; {}", file, line, what, remedy));
+}
+
+const char* coordinate_fault(double value) {
+  if (!std::isfinite(value)) return "is not finite";
+  if (std::abs(value) > largest_coordinate) return "is larger than 1e50";
+  return nullptr;
+}
+
+std::string quoted(std::string_view text) {
+  std::string shown;
+  for (const char c : text.substr(0, 30)) shown += (c >= 32 && c < 127) ? c : '?';
+  return fmt::format("'{}{}'", shown, text.size() > 30 ? "..." : "");
+}
+
+TextScanner::TextScanner(std::string_view text, std::string file, Syntax syntax)
+    : text_(text), file_(std::move(file)), syntax_(syntax) {
+  line_end_ = text.find('\n') == text.npos && text.find('\r') != text.npos ? '\r' : '\n';
+  line_number_ = syntax.lines_before;
+  lines_in_current_ = 1;
+}
+
+bool TextScanner::next_line() {
+  while (next_ < text_.size()) {
+    line_number_ += lines_in_current_;
+    lines_in_current_ = 1;
+    const std::size_t begin = next_;
+    std::size_t end = std::min(text_.find(line_end_, begin), text_.size());
+    while (syntax_.continuation && end < text_.size()) {
+      const std::size_t last = end > begin && text_[end - 1] == '\r' ? end - 1 : end;
+      if (last == begin || text_[last - 1] != '\\') break;
+      end = std::min(text_.find(line_end_, end + 1), text_.size());
+      ++lines_in_current_;
+    }
+    next_ = std::min(end + 1, text_.size());
+    line_ = text_.substr(begin, end - begin);
+    if (syntax_.comment != '\0') line_ = line_.substr(0, line_.find(syntax_.comment));
+    if (!at_line_end()) return true;
+  }
+  line_ = {};
+  return false;
+}
+
+bool TextScanner::at_line_end() {
+  std::size_t i = 0;
+  while (i < line_.size() && (is_blank(line_[i]) || (syntax_.continuation && line_[i] == '\\'))) ++i;
+  line_.remove_prefix(i);
+  return line_.empty();
+}
+
+std::string_view TextScanner::word() {
+  if (at_line_end()) return {};
+  std::size_t i = 0;
+  while (i < line_.size() && !is_blank(line_[i]) && !(syntax_.continuation && line_[i] == '\\')) ++i;
+  const std::string_view found = line_.substr(0, i);
+  line_.remove_prefix(i);
+  return found;
+}
+
+double TextScanner::coordinate(const char* what) {
+  const std::string_view found = word();
+  if (found.empty()) fail(fmt::format("the {} is missing", what));
+  std::string_view digits = found;
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::result_out_of_range) {
+    if (!is_underflow(digits)) fail(fmt::format("the {} {} is too large for a number", what, quoted(found)));
+    return 0.0;
+  }
+  if (error != std::errc() || end != digits.data() + digits.size()) {
+    if (found.find(',') != found.npos)
+      fail(fmt::format("the {} {} is not a number", what, quoted(found)),
+           "write decimal points instead of commas");
+    fail(fmt::format("the {} {} is not a number", what, quoted(found)));
+  }
+  if (const char* fault = coordinate_fault(value))
+    fail(fmt::format("the {} {} {}", what, quoted(found), fault));
+  return value;
+}
+
+std::int64_t TextScanner::integer(const char* what) {
+  const std::string_view found = word();
+  if (found.empty()) fail(fmt::format("the {} is missing", what));
+  std::string_view digits = found;
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size())
+    fail(fmt::format("the {} {} is not an integer", what, quoted(found)));
+  return value;
+}
+
+std::uint64_t TextScanner::count(const char* what) {
+  const std::int64_t value = integer(what);
+  if (value < 0) fail(fmt::format("the {} is negative ({})", what, value));
+  return static_cast<std::uint64_t>(value);
+}
+
+void TextScanner::fail(const std::string& what, const std::string& remedy) const {
+  fail_at_line(file_, line_number_, what, remedy);
+}
+
+void TextScanner::fail(const std::string& what) const { fail_at_line(file_, line_number_, what); }
+
+}  // namespace nanocarbon::mesh

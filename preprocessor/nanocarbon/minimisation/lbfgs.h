@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "nanocarbon/core/vec3.h"
+
+namespace nanocarbon::minimisation {
+
+//! An energy of atom positions: returns eV and fills the gradient (eV/Angstrom), which comes zeroed.
+using EnergyFunction = std::function<double(std::span<const Vec3> positions, std::span<Vec3> gradient)>;
+
+struct LbfgsOptions {
+  int max_iterations = 200;
+  double force_tolerance = 1e-3;  //!< eV/Angstrom, on the largest force on an atom
+  double max_step = 0.1;          //!< Angstrom, the farthest any atom moves in one iteration
+  int memory = 6;                 //!< pairs; more of them cost more than they save
+  //! Asked after each iteration; true ends the minimisation early. May be empty.
+  std::function<bool(int iteration, double energy, std::span<const Vec3> positions)> stop = {};
+};
+
+struct LbfgsResult {
+  double energy = 0;     //!< eV, at the positions returned
+  double max_force = 0;  //!< eV/Angstrom
+  int iterations = 0;
+  bool converged = false;
+};
+
+//! \brief Minimises an energy by L-BFGS with a step limit for each atom.
+//! \details Two-loop recursion (Nocedal and Wright, algorithm 7.4), backtracking until the energy does not
+//! rise; pairs without positive curvature are left out. Energies that agree to rounding count as equal, so
+//! that forces converge further than the energy's digits would show. Written here because the step limit and
+//! early exit are needed.
+LbfgsResult minimise_lbfgs(std::vector<Vec3>& positions, const EnergyFunction& energy,
+                           const LbfgsOptions& options);
+
+//! Largest norm among the vectors.
+double largest_norm(std::span<const Vec3> vectors);
+
+}  // namespace nanocarbon::minimisation

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/minimisation/minimise_molecule.h"
+
+#include <algorithm>
+
+#include "nanocarbon/core/neighbours_within.h"
+
+namespace nanocarbon::minimisation {
+
+namespace {
+
+// Whether a potential sees exactly the molecule's bonds between its carbons.
+bool bonds_are_those_seen(const Molecule& molecule, const BondCutoff& carbon) {
+  const NeighbourList near = neighbours_within(molecule.positions, nullptr, carbon.end);
+  const auto is_carbon = [&](AtomIndex a) { return molecule.elements[a] == Element::carbon; };
+  std::size_t seen = 0, listed = 0;
+  for (AtomIndex a = 0; a < molecule.size(); ++a)
+    for (const Neighbour& n : near.of(a)) seen += a < n.atom && is_carbon(a) && is_carbon(n.atom);
+  for (const Bond& bond : molecule.bonds) {
+    if (!is_carbon(bond.first) || !is_carbon(bond.second)) continue;
+    ++listed;
+    if ((molecule.positions[bond.first] - molecule.positions[bond.second]).norm() > carbon.begin)
+      return false;
+  }
+  return seen == listed;
+}
+
+}  // namespace
+
+EnergyFunction energy_of(const Molecule& molecule, potential::Potential& potential) {
+  return [&](std::span<const Vec3> positions, std::span<Vec3> gradient) {
+    const potential::Evaluation& result = potential.evaluate(positions, molecule.elements, nullptr, {});
+    for (std::size_t a = 0; a < gradient.size(); ++a) gradient[a] -= result.forces[a];
+    return result.energy;
+  };
+}
+
+MinimisationResult minimise_molecule(Molecule& molecule, potential::Potential& potential,
+                                     const MinimisationOptions& options) {
+  const LbfgsResult relaxed =
+      minimise_lbfgs(molecule.positions, energy_of(molecule, potential),
+                     {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});
+  return {relaxed.energy, relaxed.max_force, relaxed.iterations, relaxed.converged,
+          bonds_are_those_seen(molecule, potential.bond_cutoffs().carbon_carbon)};
+}
+
+}  // namespace nanocarbon::minimisation

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "nanocarbon/minimisation/lbfgs.h"
+#include "nanocarbon/molecule/molecule.h"
+#include "nanocarbon/potential/potential.h"
+
+namespace nanocarbon::minimisation {
+
+struct MinimisationOptions {
+  double force_tolerance = 1e-4;  //!< eV/Angstrom, on the largest force on an atom
+  //! Enough for 1e-6 eV/Angstrom: 10,000 atoms with modes down to 1e-4 eV/Angstrom^2 took 5,000 to 7,000.
+  int max_iterations = 20000;
+};
+
+struct MinimisationResult {
+  double energy = 0;     //!< eV
+  double max_force = 0;  //!< eV/Angstrom
+  int iterations = 0;
+  bool converged = false;
+  bool intact = false;  //!< the potential sees the molecule's bonds whole, and no others between its carbons
+};
+
+//! \brief Minimises the energy of a potential over all positions of a molecule in free space.
+//! \details L-BFGS; cut-offs are part of the energy, so bonds could break or form: `intact` tells. Hydrogens
+//! are moved too.
+MinimisationResult minimise_molecule(Molecule& molecule, potential::Potential& potential,
+                                     const MinimisationOptions& options = {});
+
+//! The energy of a molecule in free space as a function of its positions. Both arguments outlive the result.
+EnergyFunction energy_of(const Molecule& molecule, potential::Potential& potential);
+
+}  // namespace nanocarbon::minimisation

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nanocarbon/molecule/formats/atom_style.h"
+#include "nanocarbon/molecule/molecule.h"
+
+namespace nanocarbon::molecule {
+
+struct LammpsDataOptions {
+  AtomStyle atom_style = AtomStyle::atomic;
+  double margin = 10.0;  //!< Angstrom of empty box around the atoms in each direction that is not periodic
+  std::string comment = {};  //!< put on the first line (command and version); must be a single line
+};
+
+//! \brief Writes a molecule as a LAMMPS data file.
+//! \details Always two atom types, 1 = C and 2 = H, also where there is no hydrogen, so that one script
+//! serves every file: `pair_coeff * * CH.rebo C H`. Masses carry the element as a comment. Atom-IDs are
+//! indices plus one. Where the style has molecule-IDs, each connected component is a molecule; charges are
+//! zero. Where the style has bonds (see has_bonds) there is a Bonds section, and a script must say
+//! `special_bonds lj/coul 1 1 1`, because LAMMPS's default drops bonded neighbours that REBO needs; the file
+//! says so in a comment. The comment "# boundary p p f" tells which directions are periodic, which LAMMPS
+//! itself takes from the script.
+//!
+//! In periodic directions the box is the cell, atoms are wrapped into it, and image flags keep what they
+//! were. A molecule whose cell is not in LAMMPS's form (a along x, b in the xy plane) is rotated into it. In
+//! the other directions the box leaves the margin around the atoms. Numbers are the shortest text that reads
+//! back exactly.
+//! \throw UserError (unsuitable) naming the first atom that is not at finite coordinates
+void write_lammps_data(std::ostream& out, const Molecule& molecule, const LammpsDataOptions& options = {});
+
+//! The same, whole or not at all, to a file.
+void write_lammps_data(const std::filesystem::path& path, const Molecule& molecule,
+                       const LammpsDataOptions& options = {});
+
+struct LammpsReadOptions {
+  std::optional<AtomStyle> atom_style = {};          //!< where the file does not say "Atoms # style"
+  std::optional<std::array<bool, 3>> periodic = {};  //!< goes before the file's "# boundary" comment
+  std::vector<std::optional<Element>> type_elements =
+      {};  //!< of type 1, 2, ...; goes before what the file says
+};
+
+struct LammpsData {
+  Molecule molecule;              //!< atoms in ascending order of their IDs; rings are not known
+  std::vector<std::int64_t> ids;  //!< of each atom
+  AtomStyle atom_style;
+};
+
+//! \brief Reads a LAMMPS data file, as LAMMPS's write_data, ASE and this library write them.
+//! \details Style: the options, the comment after Atoms, or the number of columns where that leaves no doubt.
+//! Elements: the options, then a type label or comment C or H, the mass (12.011 or 1.008 within 0.1), and in
+//! a file without Masses type 1 = C, 2 = H. Image flags unwrap positions. LAMMPS data files do not say which
+//! directions are periodic: the comment "# boundary p p f" of our own files does, and without it all are, as
+//! by LAMMPS's default; where none is, the molecule has no cell. Of bonds across boundaries the nearest image
+//! is taken. Velocities, angles, coefficients and unknown sections are passed over.
+//! \throw UserError (unreadable; malformed, naming file and line; unsuitable for other elements)
+LammpsData read_lammps_data(const std::filesystem::path& path, const LammpsReadOptions& options = {});
+//! \param name to appear in errors in place of a path
+LammpsData read_lammps_data(std::istream& in, const std::string& name, const LammpsReadOptions& options = {});
+
+}  // namespace nanocarbon::molecule

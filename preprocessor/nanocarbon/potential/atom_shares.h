@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "nanocarbon/core/vec3.h"
+
+namespace nanocarbon::potential {
+
+//! A symmetric tensor in LAMMPS's order: xx, yy, zz, xy, xz, yz.
+using Virial = std::array<double, 6>;
+
+//! \brief Where the terms put the energy and virial of single atoms, if anybody wants them.
+//! \details As LAMMPS shares them out: a bond's energy and a pair force's virial half to each end, an angle's
+//! virial a third to each of its atoms, a dihedral's a quarter. Virial is sum of r (x) f, so pressure times
+//! volume.
+struct AtomShares {
+  double* energies = nullptr;  //!< eV, one for each atom, or nothing
+  Virial* virials = nullptr;   //!< eV, one for each atom, or nothing
+
+  void add_bond_energy(std::uint32_t i, std::uint32_t j, double energy) const {
+    if (!energies) return;
+    energies[i] += 0.5 * energy;
+    energies[j] += 0.5 * energy;
+  }
+
+  //! The virial of a pull along a bond, shared equally by the given atoms. The bond has a length (Angstrom)
+  //! and a direction (unit vector), as HalfEdge has; the pull, eV/Angstrom, is minus the force on its far
+  //! end.
+  template <std::size_t n, class BondVector>
+  void add_virial(const std::array<std::uint32_t, n>& atoms, const BondVector& bond, const Vec3& pull) const {
+    const Vec3 arm = (-bond.length / n) * bond.direction;
+    for (const std::uint32_t atom : atoms) {
+      Virial& v = virials[atom];
+      v[0] += arm.x() * pull.x();
+      v[1] += arm.y() * pull.y();
+      v[2] += arm.z() * pull.z();
+      v[3] += arm.x() * pull.y();
+      v[4] += arm.x() * pull.z();
+      v[5] += arm.y() * pull.z();
+    }
+  }
+};
+
+}  // namespace nanocarbon::potential

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "nanocarbon/potential/atom_shares.h"
+#include "nanocarbon/potential/rebo2/angular_spline.h"
+#include "nanocarbon/potential/rebo2/coordination_tables.h"
+#include "nanocarbon/potential/rebo2/energy_parts.h"
+#include "nanocarbon/potential/rebo2/half_edges.h"
+#include "nanocarbon/potential/rebo2/parameters.h"
+
+namespace nanocarbon::rebo2 {
+
+//! What evaluating a term needs besides the bonds.
+struct Model {
+  const Rebo2Parameters& parameters;
+  const CoordinationTables& tables;
+};
+
+//! An angle at a bond's end, kept between the two passes over a centre's neighbours.
+struct AngleTerm {
+  double cosine;
+  double stretch;  //!< e^lambda
+  AngularValue g;
+};
+
+//! \brief The terms centred on one atom: for each of its bonds half the repulsion, and V_A times half p_ij.
+//! \details p_ij = [1 + sum_k w_ik g(cos theta_jik, N_ij) e^lambda + P_ij]^(-1/2) (Brenner et al. 2002,
+//! equation 7). Over both ends of a bond that is V_R + V_A (p_ij + p_ji)/2. Adds derivatives to the centre's
+//! half-edges.
+EnergyParts add_centre_terms(HalfEdges& edges, const Centre& centre, const Model& model,
+                             std::vector<AngleTerm>& scratch, const potential::AtomShares& shares);
+
+}  // namespace nanocarbon::rebo2

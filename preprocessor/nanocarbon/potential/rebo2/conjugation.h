@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "nanocarbon/potential/rebo2/bond_order.h"
+
+namespace nanocarbon::rebo2 {
+
+//! \brief The terms of a bond as a whole: w V_A (pi_RC + T S).
+//! \details pi_RC = F(N_ij, N_ji, N_conj) (Brenner et al. 2002, equation 13), for C-C bonds also T(...) times
+//! the sum over dihedrals. N_conj = 1 + (sum over carbons k of w_ik F(N_k - w_ik))^2 + the same for j
+//! (equation 15). The half-edges of both ends must be there, and those of neighbours that do not have three
+//! whole bonds. Derivatives are added to them.
+//! \param share 1, or 1/2 where both processes (or both images) that see this bond evaluate it
+EnergyParts add_bond_terms(HalfEdges& edges, const Centre& i, HalfEdge& ij, const Model& model, double share,
+                           const potential::AtomShares& shares);
+
+}  // namespace nanocarbon::rebo2

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "nanocarbon/core/vec3.h"
+#include "nanocarbon/potential/near_pairs.h"
+#include "nanocarbon/potential/rebo2/parameters.h"
+
+namespace nanocarbon::rebo2 {
+
+//! \brief A bond seen from one of its ends, with the derivatives of the energy by its geometry.
+//! \details Energy terms depend on positions only through direction, length and weight of half-edges. A term
+//! adds to the derivatives; HalfEdges::add_forces() applies the chain rule once for all of them.
+struct HalfEdge {
+  std::uint32_t to;
+  Element element;      //!< of the atom at the other end
+  double length;        //!< Angstrom
+  double weight;        //!< 1 for a whole bond, 0 at the cut-off
+  double weight_slope;  //!< by length
+  Vec3 direction;       //!< unit vector from the centre to the other end
+
+  double by_length = 0.0;            //!< dE/d length at fixed weight, eV/Angstrom
+  double by_weight = 0.0;            //!< dE/d weight, eV
+  Vec3 by_direction = Vec3::Zero();  //!< dE/d direction, eV; its part along the direction is without meaning
+};
+
+//! An atom and its bonds: a range of the half-edges.
+struct Centre {
+  std::uint32_t atom;
+  Element element;
+  std::uint32_t first;
+  std::uint32_t count;
+  double carbons;    //!< N^C: sum of the weights of its bonds to carbon
+  double hydrogens;  //!< N^H
+  double coordination() const { return carbons + hydrogens; }
+};
+
+//! Minus the force on the half-edge's far end (and the force on its centre) that some derivatives amount to.
+inline Vec3 half_edge_pull(const HalfEdge& edge, double by_length, const Vec3& by_direction) {
+  return by_length * edge.direction +
+         (by_direction - by_direction.dot(edge.direction) * edge.direction) / edge.length;
+}
+
+//! The bonds of some of the atoms, found among their near pairs. Reused from step to step without allocating.
+class HalfEdges {
+ public:
+  static constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
+
+  //! Forgets all centres and prepares for atoms 0..atoms-1.
+  void clear(std::uint32_t atoms);
+  //! Finds the bonds of an atom, unless that is done already. Invalidates spans.
+  void add(std::uint32_t atom, const potential::AtomsView& atoms, const potential::NearPairs& near,
+           const Rebo2Parameters& parameters);
+
+  bool has(std::uint32_t atom) const { return place_[atom] != absent; }
+  //! Bonds of an atom, counted by weight. An atom that was not added is one of the fast evaluation's: it has
+  //! three.
+  double coordination(std::uint32_t atom) const { return has(atom) ? centre(atom).coordination() : 3.0; }
+  const Centre& centre(std::uint32_t atom) const { return centres_[place_[atom]]; }
+  std::span<HalfEdge> of(const Centre& centre) { return {edges_.data() + centre.first, centre.count}; }
+
+  //! Adds the forces that the derivatives amount to; forces has x, y, z of every atom.
+  void add_forces(double* forces) const;
+
+ private:
+  std::vector<std::uint32_t> place_;  //!< of an atom in centres_
+  std::vector<Centre> centres_;
+  std::vector<HalfEdge> edges_;
+};
+
+}  // namespace nanocarbon::rebo2

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "nanocarbon/potential/rebo2/general_evaluation.h"
+#include "nanocarbon/potential/rebo2/sp2_blocks.h"
+#include "nanocarbon/potential/rebo2/sp2_constants.h"
+#include "nanocarbon/potential/rebo2/sp2_kernel.h"
+
+namespace nanocarbon::rebo2 {
+
+//! \brief REBO2 with the fast loops wherever they apply and the general terms elsewhere, atom by atom.
+//! \details Both evaluate the same function, so nothing jumps where an atom goes from one to the other. An
+//! atom in the fast case has its angles in the loops whatever its neighbours are. A bond between two such
+//! atoms has its dihedrals there too, unless a coordination that N_conj depends on is fractional; where it is
+//! whole but not three, only the bond's constants differ.
+class MixedEvaluation {
+ public:
+  MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel);
+
+  //! To be called whenever the atoms, their elements or the near pairs have changed.
+  void near_changed() { blocks_are_good_ = false; }
+
+  //! \brief Arguments and result as of evaluate_general().
+  //! \details Virials of single atoms are shared out term by term, so they come from the general terms alone.
+  EnergyParts evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near, double* forces,
+                       const potential::AtomShares& shares, bool general_only = false);
+
+  //! Own atoms that the last evaluation left to the general terms.
+  std::size_t general_atoms() const { return general_own_; }
+  //! Bytes held by the arrays that grow with the atoms.
+  std::size_t memory() const;
+
+ private:
+  using Bond = std::pair<std::uint32_t, std::uint32_t>;
+
+  bool is_fast(std::uint32_t atom) const {
+    return blocks_.place[atom] != Sp2Blocks::nowhere && !general_flag_[atom];
+  }
+  void make_blocks(const potential::AtomsView& atoms, const potential::NearPairs& near);
+  Sp2Modifiers* modifiers_of(std::uint32_t place);
+  void reset_modifiers();
+  void flag_general(std::uint32_t atom);
+  //! Atoms that are no candidates, and candidates with a fourth neighbour.
+  void find_crowded_atoms(const potential::AtomsView& atoms, const potential::NearPairs& near);
+  void switch_off(std::uint32_t atom);
+  void switch_off_bond(std::uint32_t fast, std::uint32_t general);
+  void switch_off_crowded_atoms();
+  //! Of what the first pass has found out about these blocks.
+  void switch_off_outside(std::size_t begin_block, std::size_t end_block);
+  //! Constants of bonds between fast atoms whose N_conj depends on an atom with four neighbours.
+  void modify_crowded_bonds(const potential::AtomsView& atoms);
+  EnergyParts run_fast_loops(const Sp2Data& data);
+  void find_general_bonds(const potential::AtomsView& atoms, const potential::NearPairs& near);
+  void set_bond_constants(std::uint32_t at, int s, const Sp2BondConstants& constants);
+  EnergyParts add_general_terms(const potential::AtomsView& atoms, const potential::NearPairs& near,
+                                double* forces, const potential::AtomShares& shares);
+
+  Rebo2Parameters parameters_;
+  Sp2Constants constants_;
+  Sp2BondConstants bond_constants_;
+  const Sp2Kernel* kernel_;
+  double watch_squared_;
+
+  bool fast_applies_;
+
+  bool blocks_are_good_ = false;
+  Sp2Blocks blocks_;
+  std::vector<double> geometry_;
+  std::vector<double> tensors_;
+  std::vector<double> edge_energies_;
+  std::vector<std::uint32_t> outside_;
+
+  Sp2Modifiers plain_;
+  std::vector<Sp2Modifiers> modifier_pool_;
+  std::vector<const Sp2Modifiers*> modifiers_;
+  std::vector<std::uint32_t> modified_blocks_;
+
+  std::vector<char> general_flag_;      // of every atom
+  std::vector<std::uint32_t> general_;  // flagged atoms, own ones and copies
+  std::vector<Bond> bonds_;             // whose own terms are general, an own atom first
+  std::vector<Bond> crowded_bonds_;
+  std::vector<Bond> fractional_bonds_;  // of these, those with a fractional coordination
+  std::size_t general_own_ = 0;
+  GeneralWorkspace workspace_;
+};
+
+}  // namespace nanocarbon::rebo2

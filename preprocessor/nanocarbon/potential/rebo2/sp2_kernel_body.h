@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The loops of sp2_kernel.h for vectors of NANOCARBON_LANES doubles. Included once by each sp2_kernel_*.cpp,
+// inside whose unnamed namespace everything stays. Written with the vector types of GCC and Clang.
+
+constexpr int lanes = NANOCARBON_LANES;
+using Real = double __attribute__((vector_size(8 * lanes)));
+using Mask = long long __attribute__((vector_size(8 * lanes)));
+static_assert(sp2_block % lanes == 0 && sp2_block <= 32);
+
+struct Vector {
+  Real x, y, z;
+};
+
+inline Real all(double value) { return Real{} + value; }
+
+inline Real load(const double* from) {
+  Real value;
+  __builtin_memcpy(&value, from, sizeof value);
+  return value;
+}
+
+inline void store(double* to, Real value) { __builtin_memcpy(to, &value, sizeof value); }
+
+inline Real square_root(Real x) {
+#if defined(__AVX512F__) && NANOCARBON_LANES == 8
+  return (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
+#elif defined(__AVX__) && NANOCARBON_LANES == 4
+  return (Real)_mm256_sqrt_pd((__m256d)x);
+#elif defined(__SSE2__) && NANOCARBON_LANES == 2
+  return (Real)_mm_sqrt_pd((__m128d)x);
+#elif defined(__aarch64__) && NANOCARBON_LANES == 2
+  return (Real)vsqrtq_f64((float64x2_t)x);
+#else
+  for (int l = 0; l < lanes; ++l) x[l] = __builtin_sqrt(x[l]);
+  return x;
+#endif
+}
+
+inline Real larger(Real a, Real b) { return a > b ? a : b; }
+inline Real dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vector scaled(const Vector& a, Real f) { return {a.x * f, a.y * f, a.z * f}; }
+
+inline void add(Vector& a, const Vector& b, Real f) {
+  a.x += b.x * f;
+  a.y += b.y * f;
+  a.z += b.z * f;
+}
+
+// The sine of an angle outside the fast case must not make infinities: such lanes are multiplied by zero.
+inline Real inverse_sine_squared(Real cosine) { return 1.0 / larger(1.0 - cosine * cosine, all(1e-3)); }
+
+struct Tensor {
+  Real xx, yy, zz, xy, xz, yz;
+};
+
+inline Vector times(const Tensor& t, const Vector& v) {
+  return {t.xx * v.x + t.xy * v.y + t.xz * v.z, t.xy * v.x + t.yy * v.y + t.yz * v.z,
+          t.xz * v.x + t.yz * v.y + t.zz * v.z};
+}
+
+// Adds a a^T / |a|^2 of the part of arm across the axis.
+inline void add_projected(Tensor& t, const Vector& axis, const Vector& arm, Real cosine, Real inverse_sine2) {
+  const Vector a = {arm.x - cosine * axis.x, arm.y - cosine * axis.y, arm.z - cosine * axis.z};
+  const Vector b = scaled(a, inverse_sine2);
+  t.xx += a.x * b.x;
+  t.yy += a.y * b.y;
+  t.zz += a.z * b.z;
+  t.xy += a.x * b.y;
+  t.xz += a.x * b.z;
+  t.yz += a.y * b.z;
+}
+
+// An arm of a dihedral and the angle between it and the axis.
+struct Arm {
+  int arm, angle;
+};
+
+struct ValueAndSlope {
+  Real value, slope;
+};
+
+template <int degree>
+inline ValueAndSlope polynomial(const double* coefficients, Real x) {
+  Real value = all(coefficients[degree]);
+  Real slope = Real{};
+  for (int power = degree - 1; power >= 0; --power) {
+    slope = slope * x + value;
+    value = value * x + coefficients[power];
+  }
+  return {value, slope};
+}
+
+inline ValueAndSlope angular(const Sp2Constants& c, Real x) {
+  const Mask in1 = x >= c.knots[0], in2 = x >= c.knots[1], in3 = x >= c.knots[2];
+  Real k[6];
+  for (int power = 0; power < 6; ++power) {
+    const Real low = in1 ? all(c.angular[1][power]) : all(c.angular[0][power]);
+    const Real high = in3 ? all(c.angular[3][power]) : all(c.angular[2][power]);
+    k[power] = in2 ? high : low;
+  }
+  Real value = k[5];
+  Real slope = Real{};
+  for (int power = 4; power >= 0; --power) {
+    slope = slope * x + value;
+    value = value * x + k[power];
+  }
+  return {value, slope};
+}
+
+// Fetches the positions of a block's atoms and their neighbours: [3 (1 + s) + d][lane].
+inline void fetch_positions(const Sp2Data& data, std::size_t block, double (*to)[sp2_block]) {
+  const std::uint32_t* atoms = data.atoms + block * sp2_block;
+  const std::uint32_t* neighbours = data.neighbours + block * 3 * sp2_block;
+  for (std::size_t l = 0; l < sp2_block; ++l) {
+    const double* p = data.positions + 3 * std::size_t{atoms[l]};
+    for (int d = 0; d < 3; ++d) to[d][l] = p[d];
+  }
+  for (int s = 0; s < 3; ++s)
+    for (std::size_t l = 0; l < sp2_block; ++l) {
+      const double* p = data.positions + 3 * std::size_t{neighbours[s * sp2_block + l]};
+      for (int d = 0; d < 3; ++d) to[3 + 3 * s + d][l] = p[d];
+    }
+}
+
+void first(const Sp2Data& data, std::size_t begin_block, std::size_t end_block) {
+  const Sp2Constants& c = *data.constants;
+  alignas(64) double positions[12][sp2_block];
+  alignas(64) double made[18][sp2_block];
+  for (std::size_t block = begin_block; block < end_block; ++block) {
+    fetch_positions(data, block, positions);
+    double* geometry = data.geometry + std::size_t{data.slots[block]} * 12 * sp2_block;
+    std::uint32_t outside = 0;
+    for (std::size_t l = 0; l < sp2_block; l += lanes) {
+      Vector u[3];
+      Mask bad = Mask{};
+      for (int s = 0; s < 3; ++s) {
+        const Vector delta = {load(&positions[3 + 3 * s][l]) - load(&positions[0][l]),
+                              load(&positions[4 + 3 * s][l]) - load(&positions[1][l]),
+                              load(&positions[5 + 3 * s][l]) - load(&positions[2][l])};
+        const Real squared = larger(dot(delta, delta), all(1e-2));
+        const Real r = square_root(squared);
+        u[s] = scaled(delta, 1.0 / r);
+        bad |= (r < c.shortest) | (r > c.longest);
+        store(geometry + (4 * s) * sp2_block + l, u[s].x);
+        store(geometry + (4 * s + 1) * sp2_block + l, u[s].y);
+        store(geometry + (4 * s + 2) * sp2_block + l, u[s].z);
+        store(geometry + (4 * s + 3) * sp2_block + l, r);
+      }
+      Tensor tensors[3] = {};
+      for (int s = 0; s < 3; ++s) {
+        const int k = (s + 1) % 3;
+        const Real cosine = dot(u[s], u[k]);
+        const Real inverse_sine2 = inverse_sine_squared(cosine);
+        bad |= (cosine < c.lowest_cosine) | (cosine > c.highest_cosine);
+        add_projected(tensors[s], u[s], u[k], cosine, inverse_sine2);
+        add_projected(tensors[k], u[k], u[s], cosine, inverse_sine2);
+      }
+      for (int s = 0; s < 3; ++s) {
+        store(&made[6 * s][l], tensors[s].xx);
+        store(&made[6 * s + 1][l], tensors[s].yy);
+        store(&made[6 * s + 2][l], tensors[s].zz);
+        store(&made[6 * s + 3][l], tensors[s].xy);
+        store(&made[6 * s + 4][l], tensors[s].xz);
+        store(&made[6 * s + 5][l], tensors[s].yz);
+      }
+      for (int m = 0; m < lanes; ++m) outside |= static_cast<std::uint32_t>(bad[m] & 1) << (l + m);
+    }
+    data.outside[block] = outside;
+    double* out = data.tensors + std::size_t{data.slots[block]} * 18 * sp2_block;
+    for (std::size_t l = 0; l < sp2_block; ++l)
+      for (int k = 0; k < 18; ++k) out[18 * l + k] = made[k][l];
+  }
+}
+
+// The other ends' tensors: [6 s + piece][lane].
+inline void fetch_tensors(const Sp2Data& data, std::size_t block, double (*to)[sp2_block]) {
+  const std::uint32_t* reverses = data.reverses + block * 3 * sp2_block;
+  for (int s = 0; s < 3; ++s)
+    for (std::size_t l = 0; l < sp2_block; ++l) {
+      const double* t = data.tensors + 6 * std::size_t{reverses[s * sp2_block + l]};
+      for (int k = 0; k < 6; ++k) to[6 * s + k][l] = t[k];
+    }
+}
+
+inline void scatter_forces(const Sp2Data& data, std::size_t block, const double (*pulls)[sp2_block]) {
+  const std::uint32_t* atoms = data.atoms + block * sp2_block;
+  const std::uint32_t* neighbours = data.neighbours + block * 3 * sp2_block;
+  for (std::size_t l = 0; l < sp2_block; ++l) {
+    double* f = data.forces + 3 * std::size_t{atoms[l]};
+    for (int d = 0; d < 3; ++d) f[d] += pulls[d][l] + pulls[3 + d][l] + pulls[6 + d][l];
+    for (int s = 0; s < 3; ++s) {
+      double* g = data.forces + 3 * std::size_t{neighbours[s * sp2_block + l]};
+      for (int d = 0; d < 3; ++d) g[d] -= pulls[3 * s + d][l];
+    }
+  }
+}
+
+void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block, Sp2Energy* energy) {
+  const Sp2Constants& c = *data.constants;
+  Real repulsive = Real{}, sigma_pi = Real{}, conjugation = Real{}, dihedral = Real{};
+  alignas(64) double tensors[18][sp2_block];
+  alignas(64) double pulls[9][sp2_block];
+  for (std::size_t block = begin_block; block < end_block; ++block) {
+    fetch_tensors(data, block, tensors);
+    const double* geometry = data.geometry + std::size_t{data.slots[block]} * 12 * sp2_block;
+    const Sp2Modifiers& modifiers = *data.modifiers[block];
+    for (std::size_t l = 0; l < sp2_block; l += lanes) {
+      Vector u[3];
+      Real r[3];
+      for (int s = 0; s < 3; ++s) {
+        u[s] = {load(geometry + (4 * s) * sp2_block + l), load(geometry + (4 * s + 1) * sp2_block + l),
+                load(geometry + (4 * s + 2) * sp2_block + l)};
+        r[s] = load(geometry + (4 * s + 3) * sp2_block + l);
+      }
+      // Angle s is the one opposite to bond s: between bonds s + 1 and s + 2.
+      Real cosine[3], inverse_sine2[3], by_cosine[3];
+      ValueAndSlope g[3];
+      for (int s = 0; s < 3; ++s) {
+        cosine[s] = dot(u[(s + 1) % 3], u[(s + 2) % 3]);
+        inverse_sine2[s] = inverse_sine_squared(cosine[s]);
+        g[s] = angular(c, cosine[s]);
+        by_cosine[s] = Real{};
+      }
+      Real by_length[3];
+      Vector by_direction[3] = {};
+      const Real on = load(&modifiers.on[l]);
+      for (int s = 0; s < 3; ++s) {
+        const Real x = (r[s] - c.middle) * c.inverse_half_width;
+        const ValueAndSlope v_r = polynomial<sp2_degree>(c.repulsion, x);
+        const ValueAndSlope v_a = polynomial<sp2_degree>(c.attraction, x);
+        const Real half_a = 0.5 * on * v_a.value;
+
+        // p = (1 + g + g')^(-1/2) over the two angles at this bond.
+        const int a = (s + 1) % 3, b = (s + 2) % 3;
+        const Real p = 1.0 / square_root(1.0 + g[a].value + g[b].value);
+        const Real by_sum = -0.5 * p * p * p * half_a;
+        by_cosine[a] += by_sum * g[a].slope;
+        by_cosine[b] += by_sum * g[b].slope;
+
+        // Arm a encloses angle b with this bond, and arm b angle a.
+        const Tensor m = {load(&tensors[6 * s][l]),     load(&tensors[6 * s + 1][l]),
+                          load(&tensors[6 * s + 2][l]), load(&tensors[6 * s + 3][l]),
+                          load(&tensors[6 * s + 4][l]), load(&tensors[6 * s + 5][l])};
+        const Real torsion = load(&modifiers.torsion[s][l]);
+        const Real by_product =
+            -4.0 * torsion * half_a;  // both halves of the bond's energy, times 2 of the square
+        Real sum = all(4.0);
+        const Arm arms[] = {{a, b}, {b, a}};
+        for (const auto& [arm, angle] : arms) {
+          const Vector y = times(m, u[arm]);
+          const Real q = dot(y, u[arm]) * inverse_sine2[angle];
+          const Real f = by_product * inverse_sine2[angle];
+          sum -= q;
+          by_cosine[angle] += f * q * cosine[angle];
+          add(by_direction[arm], y, f);
+          add(by_direction[s], y, -f * cosine[angle]);
+        }
+        const Real pi = load(&modifiers.pi[s][l]);
+        const Real order = p + torsion * sum + pi;
+        const Real half_r = 0.5 * on * v_r.value;
+        by_length[s] = 0.5 * on * c.inverse_half_width * (v_r.slope + v_a.slope * order);
+        repulsive += half_r;
+        sigma_pi += half_a * p;
+        conjugation += half_a * pi;
+        dihedral += half_a * torsion * sum;
+        if (data.edge_energies)
+          store(data.edge_energies + (block * 3 + s) * sp2_block + l, half_r + half_a * order);
+      }
+      for (int s = 0; s < 3; ++s) {
+        const int a = (s + 1) % 3, b = (s + 2) % 3;
+        add(by_direction[s], u[a], by_cosine[b]);
+        add(by_direction[s], u[b], by_cosine[a]);
+        const Real inverse_r = 1.0 / r[s];
+        const Real along = by_length[s] - dot(by_direction[s], u[s]) * inverse_r;
+        store(&pulls[3 * s][l], along * u[s].x + by_direction[s].x * inverse_r);
+        store(&pulls[3 * s + 1][l], along * u[s].y + by_direction[s].y * inverse_r);
+        store(&pulls[3 * s + 2][l], along * u[s].z + by_direction[s].z * inverse_r);
+      }
+    }
+    scatter_forces(data, block, pulls);
+  }
+  for (int m = 0; m < lanes; ++m) {
+    energy->repulsive += repulsive[m];
+    energy->sigma_pi += sigma_pi[m];
+    energy->conjugation += conjugation[m];
+    energy->dihedral += dihedral[m];
+  }
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/remeshing/crystal/flips.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "nanocarbon/remeshing/crystal/soundness.h"
+
+namespace nanocarbon::crystal {
+namespace {
+
+//! Cotangent of the angle at c in triangle (a, b, c).
+double cotangent(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = a - c, w = b - c;
+  return u.dot(w) /
+         std::max(std::sqrt(std::max(u.squaredNorm() * w.squaredNorm() - std::pow(u.dot(w), 2), 0.0)),
+                  1e-300);
+}
+
+double largest_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double x = (b - c).squaredNorm(), y = (c - a).squaredNorm(), z = (a - b).squaredNorm();
+  const auto cosine = [](double opposite, double p, double q) {
+    return (p + q - opposite) / (2 * std::sqrt(p * q));
+  };
+  return std::max({cosine(x, y, z), cosine(y, z, x), cosine(z, x, y)});
+}
+
+int square(int x) { return x * x; }
+
+//! Change of the sum of (valence - ideal)^2.
+int valence_gain(const CornerTable& table, HalfEdgeIndex h) {
+  const auto excess = [&](VertexIndex v) { return table.valence(v) - ideal_valence(table, v); };
+  const int a = excess(table.origin(h)), b = excess(table.target(h));
+  const int c = excess(table.apex(h)), d = excess(table.apex(table.twin(h)));
+  return square(a - 1) - square(a) + square(b - 1) - square(b) + square(c + 1) - square(c) + square(d + 1) -
+         square(d);
+}
+
+}  // namespace
+
+std::size_t flip_to_delaunay(Tiling& tiling, int passes) {
+  CornerTable& table = tiling.table;
+  const auto& p = tiling.points;
+  std::size_t flips = 0;
+  for (int pass = 0; pass < passes; ++pass) {
+    std::size_t made = 0;
+    for (HalfEdgeIndex h = 0; h < table.half_edges(); ++h) {
+      if (!table.is_edge(h) || table.twin(h) == no_half_edge) continue;
+      const Vec3 &a = p[table.origin(h)], &b = p[table.target(h)];
+      const double sum = cotangent(a, b, p[table.apex(h)]) + cotangent(a, b, p[table.apex(table.twin(h))]);
+      if (sum >= -1e-6 || !flip_is_sound(tiling, h)) continue;
+      table.flip(h);
+      ++made;
+    }
+    flips += made;
+    if (made == 0) break;
+  }
+  return flips;
+}
+
+std::size_t flip_to_valences(Tiling& tiling, int passes, double shape_limit) {
+  CornerTable& table = tiling.table;
+  const auto& p = tiling.points;
+  std::size_t flips = 0;
+  for (int pass = 0; pass < passes; ++pass) {
+    std::size_t made = 0;
+    for (HalfEdgeIndex h = 0; h < table.half_edges(); ++h) {
+      if (!table.is_edge(h) || table.twin(h) == no_half_edge || valence_gain(table, h) >= 0) continue;
+      const VertexIndex a = table.origin(h), b = table.target(h), c = table.apex(h),
+                        d = table.apex(table.twin(h));
+      if (largest_cosine(p[a], p[d], p[c]) > shape_limit || largest_cosine(p[b], p[c], p[d]) > shape_limit)
+        continue;
+      if (!flip_is_sound(tiling, h)) continue;
+      table.flip(h);
+      ++made;
+    }
+    flips += made;
+    if (made == 0) break;
+  }
+  return flips;
+}
+
+}  // namespace nanocarbon::crystal

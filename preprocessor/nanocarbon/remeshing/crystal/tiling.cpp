@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/remeshing/crystal/tiling.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace nanocarbon::crystal {
+
+Tiling tiling_of(const SurfaceGuide& guide) {
+  Tiling tiling;
+  tiling.guide = &guide;
+  tiling.table = guide.table();
+  tiling.points = guide.mesh().points;
+  tiling.normals.assign(tiling.points.size(), Vec3::Zero());
+  tiling.places.assign(tiling.points.size(), 0);
+  for (VertexIndex v = 0; v < tiling.points.size(); ++v) {
+    if (!tiling.table.vertex_alive(v)) continue;
+    const HalfEdgeIndex h = tiling.table.outgoing(v);
+    tiling.places[v] = tiling.table.on_boundary(v) ? h : h / 3;
+    place_vertex(tiling, v, tiling.points[v]);
+  }
+  return tiling;
+}
+
+void place_vertex(Tiling& tiling, VertexIndex v, const Vec3& p) {
+  const SurfaceGuide& guide = *tiling.guide;
+  if (tiling.table.on_boundary(v)) {
+    const BoundaryFoot foot = guide.follow_boundary(p, tiling.places[v]);
+    tiling.points[v] = foot.point;
+    tiling.normals[v] = guide.boundary_normal(foot);
+    tiling.places[v] = foot.edge;
+  } else {
+    const Foot foot = guide.follow(p, tiling.places[v]);
+    tiling.points[v] = foot.point;
+    tiling.normals[v] = guide.normal(foot);
+    tiling.places[v] = foot.triangle;
+  }
+}
+
+void settle_on_surface(Tiling& tiling) {
+  const SurfaceGuide& guide = *tiling.guide;
+  for (VertexIndex v = 0; v < tiling.points.size(); ++v) {
+    if (!tiling.table.vertex_alive(v)) continue;
+    if (tiling.table.on_boundary(v)) {
+      place_vertex(tiling, v, tiling.points[v]);
+      continue;
+    }
+    const Foot foot = guide.nearest(tiling.points[v], tiling.normals[v], tiling.places[v]);
+    tiling.points[v] = foot.point;
+    tiling.normals[v] = guide.normal(foot);
+    tiling.places[v] = foot.triangle;
+  }
+}
+
+void compact(Tiling& tiling) {
+  const std::vector<VertexIndex> former = tiling.table.compact();
+  for (std::size_t k = 0; k < former.size(); ++k) {
+    tiling.points[k] = tiling.points[former[k]];
+    tiling.normals[k] = tiling.normals[former[k]];
+    tiling.places[k] = tiling.places[former[k]];
+  }
+  tiling.points.resize(former.size());
+  tiling.normals.resize(former.size());
+  tiling.places.resize(former.size());
+}
+
+TriangleMesh to_mesh(const Tiling& tiling) {
+  Tiling dense = tiling;
+  compact(dense);
+  return {std::move(dense.points), dense.table.triangles()};
+}
+
+double mean_edge_length(const Tiling& tiling) {
+  double sum = 0;
+  std::size_t edges = 0;
+  for (HalfEdgeIndex h = 0; h < tiling.table.half_edges(); ++h) {
+    if (!tiling.table.is_edge(h)) continue;
+    sum += (tiling.points[tiling.table.target(h)] - tiling.points[tiling.table.origin(h)]).norm();
+    ++edges;
+  }
+  return edges ? sum / static_cast<double>(edges) : 0;
+}
+
+}  // namespace nanocarbon::crystal

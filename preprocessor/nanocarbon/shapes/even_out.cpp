@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/shapes/even_out.h"
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "nanocarbon/shapes/mesh_boundaries.h"
+
+namespace nanocarbon::shapes {
+
+Vec3 onto_surface(const ImplicitShape& shape, Vec3 point, double edge) {
+  for (int step = 0; step < 8; ++step) {
+    const Vec3 uphill = gradient(shape, point, 1e-4 * edge);
+    Vec3 move = -shape(point) / std::max(uphill.squaredNorm(), 1e-300) * uphill;
+    if (move.norm() > 0.5 * edge) move *= 0.5 * edge / move.norm();
+    point += move;
+    if (move.norm() < 1e-10 * edge) break;
+  }
+  return point;
+}
+
+void even_out(TriangleMesh& mesh, const ImplicitShape& shape, double edge, int rounds) {
+  const ManifoldCheck check = check_manifold(mesh);
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<Vec3> sum(mesh.points.size(), Vec3::Zero());
+    std::vector<int> count(mesh.points.size(), 0);
+    for (const Triangle& t : mesh.triangles)
+      for (int c = 0; c < 3; ++c) {
+        sum[t[c]] += mesh.points[t[(c + 1) % 3]] + mesh.points[t[(c + 2) % 3]];
+        count[t[c]] += 2;
+      }
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if (!check.on_boundary[v] && count[v] > 0)
+        mesh.points[v] = onto_surface(shape, sum[v] / count[v], edge);
+  }
+}
+
+}  // namespace nanocarbon::shapes

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/dual_relaxation.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "nanocarbon/molecule/dual.h"
+#include "support/rough_sphere.h"
+
+namespace nanocarbon::annealing {
+namespace {
+
+constexpr double sphere_area = 4 * std::numbers::pi;
+
+Molecule scaled_dual(TriangleMesh mesh, double scale) {
+  for (Vec3& p : mesh.points) p *= scale;
+  return molecule::dual(mesh);
+}
+
+TEST(RelaxDual, BringsARoughTriangulationsBondsIntoTheWindow) {
+  const TriangleMesh rough = test::rough_sphere(6, 1, 0.2, 0.3);
+  const double scale = test::scale_for(rough.triangles.size(), sphere_area);
+  Molecule molecule = scaled_dual(rough, scale);
+  const std::vector<Bond> bonds = molecule.bonds;
+  double shortest = 10, longest = 0;
+  for (const Bond& bond : bonds) {
+    const double length = (molecule.positions[bond.first] - molecule.positions[bond.second]).norm();
+    shortest = std::min(shortest, length);
+    longest = std::max(longest, length);
+  }
+  ASSERT_LT(shortest, 1.0) << "the start is meant to be bad";
+  ASSERT_GT(longest, 2.0);
+
+  const TetherSurface surface(test::unit_sphere(20), scale);
+  const DualRelaxationResult result = relax_dual(molecule, surface);
+  EXPECT_EQ(molecule.bonds, bonds);
+  EXPECT_GT(result.shortest_bond, 1.2);
+  EXPECT_LT(result.longest_bond, 1.7);
+  EXPECT_GT(result.closest_unbonded, 2.0);
+  EXPECT_LT(result.mean_distance, 1.0);
+}
+
+TEST(RelaxDual, AFullereneComesToRestAtItsEnergy) {
+  Molecule molecule = scaled_dual(test::unit_sphere(4), test::scale_for(320, sphere_area));
+  const TetherSurface surface(test::unit_sphere(12), test::scale_for(320, sphere_area));
+  const DualRelaxationResult result = relax_dual(molecule, surface, {.tether = 0, .force_tolerance = 1e-3});
+  // C320 (Ih) by LAMMPS's pair_style rebo.
+  EXPECT_NEAR(result.energy / 320, -7.2409063626, 2e-6);
+}
+
+}  // namespace
+}  // namespace nanocarbon::annealing

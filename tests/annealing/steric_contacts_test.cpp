@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/annealing/steric_contacts.h"
+
+#include <gtest/gtest.h>
+
+namespace nanocarbon::annealing {
+namespace {
+
+// Two chains of eight atoms, side by side at the given distance, not bonded to each other.
+struct Chains {
+  explicit Chains(double apart) {
+    for (AtomIndex c = 0; c < 2; ++c)
+      for (AtomIndex k = 0; k < 8; ++k) {
+        positions.push_back(Vec3(1.42 * k, apart * c, 0));
+        neighbours.push_back({k > 0 ? 8 * c + k - 1 : no_atom, k < 7 ? 8 * c + k + 1 : no_atom, no_atom});
+      }
+  }
+  std::vector<Vec3> positions;
+  StericContacts::Neighbours neighbours;
+};
+
+TEST(StericContacts, AtomsOfTheSameNeighbourhoodDoNotRepel) {
+  const Chains far(10.0);
+  StericContacts contacts;
+  std::vector<Vec3> gradient(far.positions.size(), Vec3::Zero());
+  EXPECT_EQ(contacts.evaluate(far.positions, far.neighbours, gradient), 0);
+}
+
+TEST(StericContacts, SheetsThatNearlyTouchArePushedApart) {
+  const Chains near(2.2);
+  StericContacts contacts;
+  std::vector<Vec3> gradient(near.positions.size(), Vec3::Zero());
+  EXPECT_GT(contacts.evaluate(near.positions, near.neighbours, gradient), 0);
+  for (AtomIndex k = 0; k < 8; ++k) {
+    EXPECT_GT(gradient[k].y(), 0);
+    EXPECT_LT(gradient[8 + k].y(), 0);
+  }
+}
+
+TEST(StericContacts, PairsAreFoundAgainAfterAtomsHaveMoved) {
+  Chains chains(10.0);
+  StericContacts contacts;
+  std::vector<Vec3> gradient(chains.positions.size(), Vec3::Zero());
+  EXPECT_EQ(contacts.evaluate(chains.positions, chains.neighbours, gradient), 0);
+  for (AtomIndex k = 8; k < 16; ++k) chains.positions[k].y() = 2.5;
+  EXPECT_GT(contacts.evaluate(chains.positions, chains.neighbours, gradient), 0);
+}
+
+TEST(StericContacts, ForceIsTheSlopeOfTheEnergy) {
+  const Vec3 a(0.1, 0.2, 0.3), b(1.4, -0.5, 1.9);
+  Vec3 gradient = Vec3::Zero(), unused = Vec3::Zero();
+  steric_pair(a, b, gradient);
+  for (int d = 0; d < 3; ++d) {
+    const Vec3 h = 1e-6 * Vec3::Unit(d);
+    EXPECT_NEAR(gradient[d], (steric_pair(a + h, b, unused) - steric_pair(a - h, b, unused)) / 2e-6, 1e-7);
+  }
+  EXPECT_EQ(steric_pair(Vec3::Zero(), Vec3(steric_reach, 0, 0), unused), 0);
+}
+
+}  // namespace
+}  // namespace nanocarbon::annealing

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/building/spring_back.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nanocarbon/annealing/fixed_bond_model.h"
+#include "support/rough_sphere.h"
+
+namespace nanocarbon::building {
+namespace {
+
+// The icosahedral fullerene of 20 n^2 atoms on a sphere about its centre, at rest under no tether.
+annealing::SwitchingState fullerene_at_rest(int n) {
+  annealing::SwitchingState state;
+  const TriangleMesh sphere = test::unit_sphere(n);
+  state.network = annealing::trivalent_network(sphere);
+  for (const Triangle& t : sphere.triangles)
+    state.positions.push_back(test::scale_for(sphere.triangles.size(), 4 * std::numbers::pi) *
+                              (sphere.points[t[0]] + sphere.points[t[1]] + sphere.points[t[2]]).normalized());
+  annealing::FixedBondModel model;
+  model.rebo2.set_graph(annealing::fixed_bond_graph(state.network));
+  annealing::minimise_fixed_bonds(model, nullptr, state.positions,
+                                  {.max_iterations = 5000, .force_tolerance = 1e-5});
+  return state;
+}
+
+double mean_radius(const std::vector<Vec3>& positions) {
+  double sum = 0;
+  for (const Vec3& p : positions) sum += p.norm();
+  return sum / static_cast<double>(positions.size());
+}
+
+annealing::TetherSurface sphere_of(double radius) { return {test::unit_sphere(16), radius}; }
+
+// C80 comes to rest nearly round.
+TEST(SpringBack, AMoleculeAtRestStaysWhereItIs) {
+  const annealing::SwitchingState state = fullerene_at_rest(2);
+  const double radius = mean_radius(state.positions);
+  const Released back = spring_back(state, sphere_of(radius), false);
+  EXPECT_LT(back.mean_distance, 0.05);
+}
+
+// A cage held on a sphere that is too large or too small goes back to the radius that it has at rest.
+TEST(SpringBack, TheDistanceIsWhatASphereIsTooLargeBy) {
+  const annealing::SwitchingState rest = fullerene_at_rest(3);
+  const double radius = mean_radius(rest.positions);
+  for (const double factor : {0.9, 1.1}) {
+    annealing::SwitchingState held = rest;
+    for (Vec3& p : held.positions) p *= factor;
+    const Released back = spring_back(held, sphere_of(factor * radius), false);
+    EXPECT_NEAR(back.mean_distance, std::abs(1 - factor) * radius, 0.15) << factor;
+    // Held or not, the molecule is the same where it rests.
+    EXPECT_NEAR(back.energy, spring_back(rest, sphere_of(radius), false).energy, 1e-4);
+  }
+}
+
+TEST(SpringBack, ASurfaceThatMayBeScaledIsMetAtAnySize) {
+  const annealing::SwitchingState rest = fullerene_at_rest(3);
+  const double radius = mean_radius(rest.positions);
+  const Released back = spring_back(rest, sphere_of(1.1 * radius), true);
+  EXPECT_GT(spring_back(rest, sphere_of(1.1 * radius), false).mean_distance, 0.08 * radius);
+  EXPECT_LT(back.mean_distance, 0.15);
+}
+
+// The molecule is only looked at: whoever asked goes on from where it was.
+TEST(SpringBack, LeavesTheMoleculeAlone) {
+  annealing::SwitchingState held = fullerene_at_rest(2);
+  for (Vec3& p : held.positions) p *= 1.03;
+  const std::vector<Vec3> before = held.positions;
+  spring_back(held, sphere_of(mean_radius(before)), false);
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), held.positions.begin()));
+}
+
+}  // namespace
+}  // namespace nanocarbon::building

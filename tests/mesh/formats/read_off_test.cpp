@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/formats/read_off.h"
+
+#include <gmock/gmock.h>
+
+#include "nanocarbon/mesh/formats/read_mesh.h"
+#include "support/refusal.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string tetrahedron = "4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+void expect_tetrahedron(const std::string& contents) {
+  const PolygonSoup soup = parse_mesh(contents, "a.off");
+  EXPECT_THAT(soup.points, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)));
+  EXPECT_THAT(soup.corners, ElementsAre(0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3));
+  EXPECT_THAT(soup.notes, testing::IsEmpty());
+}
+
+std::string with_line_ends(const std::string& text, const std::string& line_end) {
+  std::string result;
+  for (const char c : text) result += c == '\n' ? line_end : std::string(1, c);
+  return result;
+}
+
+std::string refused(const std::string& contents) {
+  return test::refusal(Failure::malformed, [&] { parse_mesh(contents, "a.off"); });
+}
+
+TEST(ReadOff, AFaceWithoutAnyVertices) {
+  EXPECT_THAT(refused("OFF\n0 1 0\n3 0 1 2\n"), testing::HasSubstr("there are 0 vertices"));
+}
+
+TEST(ReadOff, PlainFileInEveryLayoutInUse) {
+  expect_tetrahedron("OFF\n" + tetrahedron);
+  expect_tetrahedron("OFF " + tetrahedron);  // counts on the header's line
+  expect_tetrahedron("OFF" + tetrahedron);   // as in the ModelNet collection
+  expect_tetrahedron(tetrahedron);           // the header is optional
+  expect_tetrahedron("# made by hand\n\nOFF # header\n# counts\n" + tetrahedron);
+  expect_tetrahedron("\xEF\xBB\xBFOFF\n" + tetrahedron);
+  expect_tetrahedron(with_line_ends("OFF\n" + tetrahedron, "\r\n"));
+  expect_tetrahedron(with_line_ends("OFF\n" + tetrahedron, "\r"));
+  expect_tetrahedron(with_line_ends("OFF\n" + tetrahedron, "\n\n \t\n"));
+  expect_tetrahedron("OFF\n" + tetrahedron.substr(0, tetrahedron.size() - 1));  // no last line end
+}
+
+TEST(ReadOff, ColoursNormalsAndTextureCoordinatesArePassedOver) {
+  for (const std::string header : {"COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF"}) {
+    const PolygonSoup soup = parse_mesh(
+        header + "\n3 1 0\n1 2 3 .5 .5 .5 1\n4 5 6 0 0 0 1\n7 8 9 0 0 0 1\n3 0 1 2 255 0 0\n", "a.off");
+    EXPECT_THAT(soup.points, ElementsAre(Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9))) << header;
+    EXPECT_THAT(soup.corners, ElementsAre(0, 1, 2));
+  }
+}
+
+TEST(ReadOff, CoordinatesAreExactDoubles) {
+  const PolygonSoup soup = parse_mesh(
+      "OFF\n3 1 0\n0.1 +1e-3 -0.30000000000000004\n1e-400 4.9e-324 0\n1E5 .5 5.\n3 0 1 2\n", "a.off");
+  EXPECT_EQ(soup.points[0], Vec3(0.1, 1e-3, -0.1 - 0.2));
+  EXPECT_EQ(soup.points[1], Vec3(0.0, 4.9e-324, 0.0));
+  EXPECT_EQ(soup.points[2], Vec3(1e5, 0.5, 5.0));
+}
+
+TEST(ReadOff, WhatFollowsTheLastFaceIsPassedOverAndTold) {
+  const PolygonSoup soup = parse_mesh("OFF\n" + tetrahedron + "3 0 1 2\n", "a.off");
+  EXPECT_EQ(soup.faces(), 4u);
+  EXPECT_THAT(soup.notes, ElementsAre(HasSubstr("line 11")));
+}
+
+TEST(ReadOff, BrokenFilesAreRefusedWithTheLine) {
+  EXPECT_THAT(refused(""), HasSubstr("empty"));
+  EXPECT_THAT(refused("OFF"), HasSubstr("a.off:1: the file ends before the counts"));
+  EXPECT_THAT(refused("OFF\n3"), HasSubstr("a.off:2: the number of faces is missing"));
+  EXPECT_THAT(refused("OFF\n-3 1 0\n"), HasSubstr("a.off:2: the number of vertices is negative"));
+  EXPECT_THAT(refused("OFF\n3.5 1 0\n"), HasSubstr("'3.5' is not an integer"));
+  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0"), HasSubstr("a.off:4: the z coordinate is missing"));
+  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n"), HasSubstr("a.off:3: the file ends after 1 of 3 vertices"));
+  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n"), HasSubstr("the file ends after 0 of 1 faces"));
+  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1"),
+              HasSubstr("a.off:6: face 0 lists 2 of 3 corners"));
+  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
+              HasSubstr("vertex 3, but there are 3 vertices, counted from 0"));
+  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
+              HasSubstr("a.off:6: the vertex number is negative"));
+  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n"),
+              HasSubstr("a.off:6: face 0 has 2 corners"));
+}
+
+TEST(ReadOff, NumbersThatAreNoneAreRefused) {
+  const auto with = [](const std::string& x) { return "OFF\n3 1 0\n" + x + " 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"; };
+  for (const std::string x :
+       {"nan", "inf", "-inf", "NaN", "1e400", "1e51", "0x10", "1.0.0", "abc", "1-", "--1", "+-1"})
+    EXPECT_THAT(refused(with(x)), HasSubstr("a.off:3: the x coordinate '" + x + "'"));
+  EXPECT_THAT(refused(with("0,5")), HasSubstr("decimal points"));
+  EXPECT_THAT(refused(with("1" + std::string(400, '0'))), HasSubstr("too large"));
+  EXPECT_THAT(refused(with(std::string("1\0", 2))), HasSubstr("'1?' is not a number"));
+}
+
+TEST(ReadOff, PromisedCountsAreNotBelieved) {
+  EXPECT_THAT(refused("OFF\n4000000000 4000000000 0\n0 0 0\n"),
+              HasSubstr("ends after 1 of 4000000000 vertices"));
+  EXPECT_THAT(refused("OFF\n9223372036854775807 9 0\n0 0 0\n"),
+              HasSubstr("ends after 1 of 9223372036854775807"));
+  EXPECT_THAT(refused("OFF\n99999999999999999999 9 0\n"), HasSubstr("is not an integer"));
+  EXPECT_THAT(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"),
+              HasSubstr("lists 3 of 4000000000"));
+}
+
+TEST(ReadOff, WhatIsNotSupportedIsSaidSo) {
+  EXPECT_THAT(refused("4OFF\n3 1 0\n"), HasSubstr("four or n dimensions"));
+  EXPECT_THAT(refused("nOFF\n3 3 1 0\n"), HasSubstr("four or n dimensions"));
+  EXPECT_THAT(refused("OFF BINARY\n\1\2\3"), HasSubstr("binary OFF"));
+}
+
+}  // namespace
+}  // namespace nanocarbon::mesh

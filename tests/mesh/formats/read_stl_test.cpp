@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/formats/read_stl.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <limits>
+
+#include "nanocarbon/mesh/formats/byte_order.h"
+#include "nanocarbon/mesh/formats/read_mesh.h"
+#include "support/refusal.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::vector<std::array<Vec3, 3>> two_triangles = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
+                                                        {Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(1, 1, 0.5)}};
+
+std::string as_text(const std::string& normal = "0 0 1") {
+  std::string text = "solid a thing\n";
+  for (const auto& triangle : two_triangles) {
+    text += "  facet normal " + normal + "\n    outer loop\n";
+    for (const Vec3& p : triangle)
+      text += "      vertex " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+              std::to_string(p.z()) + "\n";
+    text += "    endloop\n  endfacet\n";
+  }
+  return text + "endsolid a thing\n";
+}
+
+template <typename Number>
+void append(std::string& bytes, Number number) {
+  const auto stored = bytes_of(number, ByteOrder::little);
+  bytes.append(stored.data(), stored.size());
+}
+
+std::string as_binary(std::uint32_t count = 2, std::string header = "", float first = 0.0f) {
+  header.resize(80, ' ');
+  append(header, count);
+  bool is_first = true;
+  for (const auto& triangle : two_triangles) {
+    for (int i = 0; i < 3; ++i) append(header, std::numeric_limits<float>::quiet_NaN());
+    for (const Vec3& p : triangle)
+      for (const double x : p) append(header, std::exchange(is_first, false) ? first : static_cast<float>(x));
+    append(header, std::uint16_t{7});
+  }
+  return header;
+}
+
+void expect_two_triangles(const PolygonSoup& soup) {
+  EXPECT_THAT(soup.points, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0.5)));
+  EXPECT_THAT(soup.corners, ElementsAre(0, 1, 2, 2, 1, 3));
+  EXPECT_FALSE(soup.has_vertex_numbers);
+}
+
+std::string refused(const std::string& contents) {
+  return test::refusal(Failure::malformed, [&] { parse_mesh(contents, "a.stl"); });
+}
+
+TEST(ReadStl, TextAndBinaryGiveTheSameMeshWithCornersJoined) {
+  expect_two_triangles(parse_mesh(as_text(), "a.stl"));
+  expect_two_triangles(parse_mesh(as_binary(), "a.stl"));
+}
+
+TEST(ReadStl, ABinaryFileMayBeginWithSolid) {
+  expect_two_triangles(parse_mesh(as_binary(2, "solid made by a program"), "a.stl"));
+  expect_two_triangles(parse_mesh(as_binary(2, "solid x\nfacet normal 0 0 1\nouter loop\n"), "a.stl"));
+}
+
+TEST(ReadStl, TheExtensionDoesNotMatter) {
+  expect_two_triangles(parse_mesh(as_text(), "a.off"));
+  expect_two_triangles(parse_mesh(as_binary(), "noextension"));
+}
+
+TEST(ReadStl, NormalsMayBeAnything) {
+  expect_two_triangles(parse_mesh(as_text("nan -nan(ind) 1,0"), "a.stl"));
+}
+
+TEST(ReadStl, KeywordsInCapitalsAndMissingEndsolid) {
+  std::string text = as_text();
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  expect_two_triangles(parse_mesh(text, "a.stl"));
+  const PolygonSoup soup = parse_mesh(as_text().substr(0, as_text().find("endsolid")), "a.stl");
+  expect_two_triangles(soup);
+  EXPECT_THAT(soup.notes, testing::Contains(HasSubstr("endsolid")));
+}
+
+TEST(ReadStl, SeveralSolidsAreOneMesh) { EXPECT_EQ(parse_mesh(as_text() + as_text(), "a.stl").faces(), 4u); }
+
+TEST(ReadStl, ZeroAndMinusZeroAreOnePlace) {
+  const PolygonSoup soup = parse_mesh(as_binary(2, "", -0.0f), "a.stl");
+  EXPECT_EQ(soup.points.size(), 4u);
+}
+
+TEST(ReadStl, BytesAfterTheLastTriangleAreTold) {
+  const PolygonSoup soup = parse_mesh(as_binary() + "abc", "a.stl");
+  expect_two_triangles(soup);
+  EXPECT_THAT(soup.notes, testing::Contains(HasSubstr("3 bytes after the last triangle")));
+}
+
+TEST(ReadStl, BrokenFilesAreRefusedWithThePlace) {
+  EXPECT_THAT(refused(as_binary(3)), HasSubstr("byte 184: the file ends after 2 of 3 triangles"));
+  EXPECT_THAT(refused(as_binary(4294967295u)), HasSubstr("the file ends after 2 of 4294967295 triangles"));
+  EXPECT_THAT(refused(as_binary().substr(0, 183)), HasSubstr("the file ends after 1 of 2 triangles"));
+  EXPECT_THAT(refused(as_binary().substr(0, 40)), HasSubstr("within the header"));
+  EXPECT_THAT(refused(as_binary(2, "", std::numeric_limits<float>::infinity())),
+              HasSubstr("byte 96: a coordinate of triangle 0 is not finite"));
+  EXPECT_THAT(refused(as_text().substr(0, as_text().find("endloop"))),
+              HasSubstr("the file ends within triangle 0"));
+  EXPECT_THAT(refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n"),
+              HasSubstr("a.stl:6: 'vertex' is expected in triangle 0, not 'endloop'"));
+  EXPECT_THAT(refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n"),
+              HasSubstr("a.stl:4: the z coordinate"));
+  EXPECT_THAT(refused("solid\nhello\n"), HasSubstr("a.stl:2: 'facet' or 'endsolid' is expected here"));
+}
+
+}  // namespace
+}  // namespace nanocarbon::mesh

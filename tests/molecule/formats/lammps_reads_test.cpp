@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What LAMMPS makes of our data files, and what we read from those it writes.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "molecule/shapes.h"
+#include "nanocarbon/molecule/bond_statistics.h"
+#include "nanocarbon/molecule/dual.h"
+#include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/structures/fullerene.h"
+#include "nanocarbon/structures/graphene.h"
+#include "nanocarbon/structures/tube.h"
+#include "nanocarbon/topology/bond_graph.h"
+
+namespace nanocarbon::molecule {
+namespace {
+
+namespace fs = std::filesystem;
+
+class LammpsReads : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::string(NANOCARBON_LMP).empty()) GTEST_SKIP() << "no LAMMPS program lmp was found";
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder = fs::path(testing::TempDir()) / ("nanocarbon_lammps_" + test);
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override {
+    if (!folder.empty()) fs::remove_all(folder);
+  }
+
+  // Energy in eV that LAMMPS's REBO gives for a.data; it also writes what it read as b.data.
+  double energy(AtomStyle style, const std::string& boundary) {
+    {
+      std::ofstream in(folder / "in.lammps");
+      in << "units metal\natom_style " << name(style) << "\nboundary " << boundary << "\nread_data a.data\n";
+      if (has_bonds(style)) in << "special_bonds lj/coul 1 1 1\n";
+      const bool debian = fs::exists("/usr/share/lammps/potentials/CH.rebo");
+      in << "pair_style rebo\npair_coeff * * " << (debian ? "/usr/share/lammps/potentials/" : "")
+         << "CH.rebo C H\n"
+         << "run 0\nvariable energy equal pe\nprint \"${energy}\" file energy\nwrite_data b.data\n";
+    }
+    const std::string command = fmt::format("cd \"{}\" && \"{}\" -in in.lammps -log log.lammps > screen 2>&1",
+                                            folder.string(), NANOCARBON_LMP);
+    if (std::system(command.c_str()) != 0) {
+      std::ifstream screen(folder / "screen");
+      ADD_FAILURE() << command << "\n" << std::string(std::istreambuf_iterator<char>(screen), {});
+      return 0.0;
+    }
+    std::ifstream energy(folder / "energy");
+    double value = 0.0;
+    energy >> value;
+    return value;
+  }
+
+  void write(const Molecule& molecule, AtomStyle style) {
+    LammpsDataOptions options;
+    options.atom_style = style;
+    options.comment = "nanocarbon test";
+    write_lammps_data(folder / "a.data", molecule, options);
+  }
+
+  // b.data must hold the molecule's bonds, or without Bonds section the same distances; lengths as exact as
+  // LAMMPS writes them.
+  void expect_read_back(const Molecule& molecule, AtomStyle style) {
+    LammpsReadOptions options;
+    if (!molecule.cell) options.periodic = {false, false, false};
+    LammpsData data = read_lammps_data(folder / "b.data", options);
+    EXPECT_EQ(data.atom_style, style);
+    ASSERT_EQ(data.molecule.size(), molecule.size());
+    EXPECT_EQ(data.molecule.elements, molecule.elements);
+    Molecule& back = data.molecule;
+    if (!has_bonds(style))
+      back.bonds = topology::bonds_within(back.positions, back.elements, back.cell ? &*back.cell : nullptr);
+    ASSERT_TRUE(topology::bonded_ids(back.bonds) == topology::bonded_ids(molecule.bonds));
+    const auto before = bond_lengths(molecule), after = bond_lengths(back);
+    for (std::size_t b = 0; b < before.size(); ++b) EXPECT_NEAR(before[b], after[b], 1e-9);
+  }
+
+  fs::path folder;
+};
+
+TEST_F(LammpsReads, EveryAtomStyleWithTheSameEnergy) {
+  const Molecule c60 = structures::fullerene(1, 1);
+  double first = 0.0;
+  for (const AtomStyle style :
+       {AtomStyle::atomic, AtomStyle::charge, AtomStyle::molecular, AtomStyle::full}) {
+    write(c60, style);
+    const double e = energy(style, "f f f");
+    if (style == AtomStyle::atomic) first = e;
+    EXPECT_LT(e, -6.5 * 60);  // REBO2's C60 has about -6.8 eV per atom at its minimum
+    EXPECT_NEAR(e, first, 1e-9);
+    expect_read_back(c60, style);
+  }
+}
+
+TEST_F(LammpsReads, PeriodicGrapheneInRectangularAndObliqueCells) {
+  // REBO2's graphene: -7.395 eV per atom (D. W. Brenner et al., J. Phys.: Condens. Matter 14, 783 (2002)).
+  const Molecule rectangle = structures::graphene(3, 2);
+  write(rectangle, AtomStyle::molecular);
+  EXPECT_NEAR(energy(AtomStyle::molecular, "p p f") / static_cast<double>(rectangle.size()), -7.395, 2e-3);
+  expect_read_back(rectangle, AtomStyle::molecular);
+
+  // The cell of two atoms three times each way, turned in space and shifted, its second vector tilted by two
+  // lattice vectors more.
+  const double a = 1.4204 * std::sqrt(3.0);
+  Molecule oblique;
+  const Vec3 a1(a, 0, 0), a2(0.5 * a, std::sqrt(0.75) * a, 0);
+  Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -3).normalized()).toRotationMatrix();
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      for (const double s : {0.0, 1.0 / 3.0})
+        oblique.positions.push_back(turn * ((i + s - 1.0) * a1 + (j + s - 1.0) * a2 + Vec3(0.3, 9.0, -2.0)));
+  oblique.elements.assign(oblique.positions.size(), Element::carbon);
+  oblique.cell = Cell{};
+  oblique.cell->vectors << 4.0 * a1, 4.0 * a2 + 8.0 * a1, Vec3(0, 0, 1);
+  oblique.cell->vectors = turn * oblique.cell->vectors;
+  oblique.cell->periodic = {true, true, false};
+  oblique.bonds = topology::bonds_within(oblique.positions, oblique.elements, &*oblique.cell);
+  EXPECT_EQ(oblique.bonds.size(), 48u);
+  write(oblique, AtomStyle::full);
+  EXPECT_NEAR(energy(AtomStyle::full, "p p f") / 32.0, -7.395, 2e-3);
+  expect_read_back(oblique, AtomStyle::full);
+}
+
+TEST_F(LammpsReads, ATubeThatIsPeriodicAlongItsAxis) {
+  const Molecule tube = structures::periodic_tube(6, 3, 1);
+  write(tube, AtomStyle::atomic);
+  energy(AtomStyle::atomic, "f f p");
+  expect_read_back(tube, AtomStyle::atomic);
+}
+
+TEST_F(LammpsReads, Hydrogen) {
+  Molecule methane;
+  methane.positions = {Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)};
+  for (Vec3& p : methane.positions) p *= 1.089 / std::sqrt(3.0);
+  methane.elements.assign(5, Element::hydrogen);
+  methane.elements[0] = Element::carbon;
+  methane.bonds = {{0, 1, {0, 0, 0}}, {0, 2, {0, 0, 0}}, {0, 3, {0, 0, 0}}, {0, 4, {0, 0, 0}}};
+  write(methane, AtomStyle::full);
+  // Atomisation energy of methane in REBO2: 18.185 eV (Brenner et al., Table 13).
+  EXPECT_NEAR(energy(AtomStyle::full, "f f f"), -18.185, 0.02);
+  expect_read_back(methane, AtomStyle::full);
+}
+
+}  // namespace
+}  // namespace nanocarbon::molecule
