@@ -1,7 +1,8 @@
 #pragma once
 
 //! \file
-//! \brief LAMMPS's base class of commands, which installed headers leave out: the same virtual functions in the same order.
+//! \brief LAMMPS's base class of commands, which installed headers leave out: the same virtual functions in
+//! the same order.
 
 #include "pointers.h"
 
@@ -9,7 +10,7 @@ namespace LAMMPS_NS {
 
 class Command : protected Pointers {
  public:
-  explicit Command(LAMMPS* lmp) : Pointers(lmp) {}
+  explicit Command(LAMMPS* lammps) : Pointers(lammps) {}
   virtual void command(int narg, char** arg) = 0;
 };
 
