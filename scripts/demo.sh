@@ -5,7 +5,7 @@
 #   scripts/demo.sh [MESH] [BUILD OPTIONS...]     e.g. scripts/demo.sh bunny.off --atoms 5000
 #
 # Writes to out/NAME/. What is already there and newer than what it was made from is not made again.
-# Environment: STEPS (5000), TEMPERATURE (0: from rest), RANKS (1).
+# Environment: STEPS (5000), TEMPERATURE (0: from rest), RANKS (1), NANOCARBON_CMAKE_OPTIONS (passed on to CMake).
 set -euo pipefail
 started_in=$PWD
 cd "$(dirname "$0")/.."
@@ -25,7 +25,8 @@ fi
 steps=${STEPS:-5000} temperature=${TEMPERATURE:-0} ranks=${RANKS:-1}
 
 install_missing "${build_packages[@]}" "${lammps_packages[@]}"
-[ -f build/release/build.ninja ] || cmake --preset release -DBUILD_TESTING=OFF
+# Without the tests, which need more packages; scripts/test.sh turns them on again.
+[ -f build/release/build.ninja ] || cmake --preset release -DBUILD_TESTING=OFF ${NANOCARBON_CMAKE_OPTIONS:-}
 cmake --build --preset release --target nanocarbon lmp-nanocarbon nanocarbonplugin
 program=build/release/preprocessor/cli/nanocarbon
 lammps=build/release/lammps-plugin/lmp-nanocarbon

@@ -3,7 +3,7 @@
 
 //! \file
 //! \brief The places where LAMMPS's C++ interface has changed since 29Sep2021, each as one function that asks
-//! the headers which form they have.
+//! the headers which form they have. A header that LAMMPS leaves out is found in stand-in/.
 
 #include "neigh_request.h"
 

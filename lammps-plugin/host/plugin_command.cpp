@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "comm.h"
-#include "command.h"
 #include "compute.h"
 #include "error.h"
 #include "fix.h"
@@ -20,6 +19,11 @@
 #include "modify.h"
 #include "plugin/lammps_plugin_abi.h"
 #include "utils.h"
+// A parameter of LAMMPS's own has the name of a member.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+#include "command.h"
+#pragma GCC diagnostic pop
 
 using namespace LAMMPS_NS;
 

@@ -11,7 +11,7 @@ namespace LAMMPS_NS {
 
 class Command : protected Pointers {
  public:
-  explicit Command(LAMMPS* lmp) : Pointers(lmp) {}
+  explicit Command(LAMMPS* lammps) : Pointers(lammps) {}
   virtual void command(int narg, char** arg) = 0;
 };
 

@@ -2,9 +2,10 @@
 #pragma once
 
 //! \file
-//! \brief The start of LAMMPS's neighbour-list request (2021), which installed headers leave out.
-//! \details Only ever seen through LAMMPS's own pointer: the members up to the last one set by us, in
-//! LAMMPS's order.
+//! \brief LAMMPS's neighbour-list request, which installed headers leave out.
+//! \details Only ever seen through LAMMPS's own pointer. Where Neighbor has add_request (2022 and later) the
+//! request is set up by functions, and its members, which have changed since, must not be touched. Before, it
+//! is set up by members: those of 2021 up to the last one set by us, in LAMMPS's order.
 
 #include "pointers.h"
 
@@ -27,6 +28,10 @@ class NeighRequest : protected Pointers {
   double cutoff;                                    //!< that cut-off, skin included
 
   NeighRequest() = delete;
+
+  void enable_full();
+  void enable_ghost();
+  void set_cutoff(double);
 };
 
 }  // namespace LAMMPS_NS
