@@ -27,7 +27,7 @@ rebo2::Sp2Constants wide_constants() {
 }
 
 double torsion_constant() {
-  static const double constant = rebo2::sp2_bond_constants(rebo2::coordination_tables()).torsion;
+  static const double constant = rebo2::sp2_bond_constants(rebo2_tables()).torsion;
   return constant;
 }
 
@@ -102,16 +102,16 @@ void FixedBondLoops::set_modifiers(const FixedBondGraph& graph, std::size_t fast
 std::optional<double> FixedBondLoops::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   if (blocks_ == 0) return 0.0;
   static const rebo2::Sp2Constants constants = wide_constants();
-  static const rebo2::Sp2Kernel& kernel = *rebo2::usable_sp2_kernels().front();
+  static const Sp2Loops& loops = rebo2::usable_sp2_kernels().front()->bond_order;
   std::fill(forces_.begin(), forces_.end(), 0.0);
   const rebo2::Sp2Data data = {&constants,         positions.data()->data(), atoms_.data(),
                                neighbours_.data(), reverses_.data(),         slots_.data(),
                                geometry_.data(),   tensors_.data(),          outside_.data(),
                                modifiers_.data(),  forces_.data(),           nullptr};
-  kernel.first(data, 0, blocks_);
+  loops.first(data, 0, blocks_);
   if (std::any_of(outside_.begin(), outside_.end(), [](std::uint32_t bits) { return bits != 0; })) return {};
   rebo2::Sp2Energy energy = {};
-  kernel.second(data, 0, blocks_, &energy);
+  loops.second(data, 0, blocks_, &energy);
   for (std::size_t a = 0; a < gradient.size(); ++a)
     for (int d = 0; d < 3; ++d) gradient[a][d] -= forces_[3 * a + static_cast<std::size_t>(d)];
   return energy.repulsive + energy.sigma_pi + energy.conjugation + energy.dihedral;

@@ -8,7 +8,7 @@
 namespace nanocarbon::rebo2 {
 namespace {
 
-const CoordinationTables& tables = coordination_tables();
+const CoordinationTables& tables = rebo2_tables();
 
 //! Tables 3, 5, 7 and 9 of Brenner et al. 2002.
 TEST(CoordinationTables, HaveThePublishedEntries) {

@@ -9,13 +9,17 @@
 #include "nanocarbon/potential/rebo2/energy_parts.h"
 #include "nanocarbon/potential/rebo2/half_edges.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
+#include "nanocarbon/potential/rebo2/torsion_energy.h"
 
 namespace nanocarbon::rebo2 {
 
 //! What evaluating a term needs besides the bonds.
 struct Model {
+  explicit Model(const Rebo2Parameters& p, const TorsionBarriers* t = nullptr)
+      : parameters(p), tables(p.tables), torsion(t) {}
   const Rebo2Parameters& parameters;
   const CoordinationTables& tables;
+  const TorsionBarriers* torsion;  //!< of AIREBO's torsion energy, if that is wanted
 };
 
 //! An angle at a bond's end, kept between the two passes over a centre's neighbours.

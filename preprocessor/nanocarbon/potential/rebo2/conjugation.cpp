@@ -56,6 +56,9 @@ EnergyParts add_bond_terms(HalfEdges& edges, const Centre& i, HalfEdge& ij, cons
                            const potential::AtomShares& shares) {
   EnergyParts energy;
   if (ij.weight <= negligible) return energy;
+  const bool carbons = i.element == Element::carbon && ij.element == Element::carbon;
+  if (model.torsion && carbons)
+    energy.torsion = add_torsion_energy(edges, i, ij, *model.torsion, share, shares);
   const Centre& j = edges.centre(ij.to);
   const double sum_i = conjugation_sum(edges, i, j.atom, model);
   const double sum_j = conjugation_sum(edges, j, i.atom, model);
@@ -64,7 +67,7 @@ EnergyParts add_bond_terms(HalfEdges& edges, const Centre& i, HalfEdge& ij, cons
   const double n_conj = 1.0 + sum_i * sum_i + sum_j * sum_j;
   const TricubicValue pi = model.tables.f(i.element, j.element).evaluate(n_ij, n_ji, n_conj);
   TricubicValue torsion = {0.0, {0.0, 0.0, 0.0}};
-  if (i.element == Element::carbon && j.element == Element::carbon) {
+  if (carbons) {
     torsion = model.tables.t_cc.evaluate(n_ij, n_ji, n_conj);
     if (std::abs(torsion.value) <= negligible) torsion = {0.0, {0.0, 0.0, 0.0}};
   }

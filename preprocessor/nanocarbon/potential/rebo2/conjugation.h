@@ -5,7 +5,7 @@
 
 namespace nanocarbon::rebo2 {
 
-//! \brief The terms of a bond as a whole: w V_A (pi_RC + T S).
+//! \brief The terms of a bond as a whole: w V_A (pi_RC + T S), and the torsion energy if the model has it.
 //! \details pi_RC = F(N_ij, N_ji, N_conj) (Brenner et al. 2002, equation 13), for C-C bonds also T(...) times
 //! the sum over dihedrals. N_conj = 1 + (sum over carbons k of w_ik F(N_k - w_ik))^2 + the same for j
 //! (equation 15). The half-edges of both ends must be there, and those of neighbours that do not have three

@@ -24,12 +24,13 @@ struct TricubicValue {
 class BicubicTable {
  public:
   using Knots = std::array<std::array<double, 5>, 5>;
+  BicubicTable() = default;  //!< zero everywhere
   explicit BicubicTable(const Knots& values) : values_(values) {}
   //! Arguments outside [0, 4] are moved to the nearest end.
   BicubicValue evaluate(double n_carbon, double n_hydrogen) const;
 
  private:
-  Knots values_;
+  Knots values_ = {};
 };
 
 //! \brief A tricubic Hermite spline over whole N_ij, N_ji in 0..4 and N_conj in 1..9, mixed derivatives zero.
@@ -49,9 +50,7 @@ class TricubicTable {
   std::array<std::array<std::array<Knot, 9>, 5>, 5> knots_;
 };
 
-//! \brief The splines over coordination numbers, as LAMMPS's `pair_style rebo` has them built in.
-//! \details Tables 3, 5, 7, 8 and 9 of Brenner et al. 2002 with the later corrections that LAMMPS carries: in
-//! F_CC the entries (0,0..3,k) and a derivative at (1,3,2), all of F_CH, and T(2,2,k) for every k from 2 on.
+//! The splines over coordination numbers: part of a model's parameters.
 struct CoordinationTables {
   BicubicTable p_cc;
   BicubicTable p_ch;
@@ -67,6 +66,9 @@ struct CoordinationTables {
   }
 };
 
-const CoordinationTables& coordination_tables();
+//! \brief Those of REBO2, as LAMMPS's `pair_style rebo` has them built in.
+//! \details Tables 3, 5, 7, 8 and 9 of Brenner et al. 2002 with the later corrections that LAMMPS carries: in
+//! F_CC the entries (0,0..3,k) and a derivative at (1,3,2), all of F_CH, and T(2,2,k) for every k from 2 on.
+const CoordinationTables& rebo2_tables();
 
 }  // namespace nanocarbon::rebo2

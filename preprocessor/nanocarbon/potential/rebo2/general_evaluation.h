@@ -13,7 +13,7 @@ struct GeneralWorkspace {
   std::vector<AngleTerm> angles;
 };
 
-//! \brief REBO2 of any carbon and hydrogen atoms, straight from the formulas: the reference for everything
+//! \brief The bond-order energy of any carbon and hydrogen atoms, straight from the formulas: the reference for everything
 //! faster.
 //! \param forces x, y, z of every atom, copies included; added to, eV/Angstrom
 //! \param shares where energies and virials of single atoms are added to, if wanted

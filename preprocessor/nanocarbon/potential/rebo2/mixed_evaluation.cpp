@@ -8,14 +8,21 @@
 
 namespace nanocarbon::rebo2 {
 
-MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel)
+MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel,
+                                 const std::optional<TorsionBarriers>& torsion)
     : parameters_(parameters),
       constants_(make_sp2_constants(parameters)),
-      bond_constants_(sp2_bond_constants(coordination_tables())),
-      kernel_(&kernel),
+      bond_constants_(sp2_bond_constants(parameters.tables)),
+      torsion_(torsion),
+      loops_(torsion ? kernel.with_torsion : kernel.bond_order),
       fast_applies_(sp2_case_applies(parameters)) {
   const double cutoff = parameters.pairs[pair_index(Element::carbon, Element::carbon)].cutoff_end;
   watch_squared_ = cutoff * cutoff;
+  if (torsion) {
+    constants_.torsion_barrier = torsion->barriers[pair_index(Element::carbon, Element::carbon)];
+    // The loops take a bond without T for one whose own terms are evaluated elsewhere.
+    fast_applies_ &= bond_constants_.torsion != 0.0;
+  }
   std::fill_n(plain_.on, sp2_block, 1.0);
   std::fill_n(&plain_.torsion[0][0], 3 * sp2_block, bond_constants_.torsion);
   std::fill_n(&plain_.pi[0][0], 3 * sp2_block, bond_constants_.pi);
@@ -172,9 +179,10 @@ void MixedEvaluation::modify_crowded_bonds(const potential::AtomsView& atoms) {
       }
       n_conj += sum * sum;
     }
+    const Sp2BondConstants at_whole = sp2_bond_constants(parameters_.tables, n_conj);
+    whole &= !torsion_ || at_whole.torsion != 0.0;
     if (!whole) fractional_bonds_.emplace_back(i, j);
-    const Sp2BondConstants constants =
-        whole ? sp2_bond_constants(coordination_tables(), n_conj) : Sp2BondConstants{0.0, 0.0};
+    const Sp2BondConstants constants = whole ? at_whole : Sp2BondConstants{0.0, 0.0};
     for (int s = 0; s < 3; ++s) {
       if (blocks_.neighbour(blocks_.place[i], s) == j) set_bond_constants(blocks_.place[i], s, constants);
       if (blocks_.neighbour(blocks_.place[j], s) == i) set_bond_constants(blocks_.place[j], s, constants);
@@ -195,7 +203,7 @@ EnergyParts MixedEvaluation::add_general_terms(const potential::AtomsView& atoms
         if (const std::uint32_t k = edges.of(centre)[a].to; !is_fast(k))
           edges.add(k, atoms, near, parameters_);
     }
-  const Model model = {parameters_, coordination_tables()};
+  const Model model(parameters_, torsion_ ? &*torsion_ : nullptr);
   EnergyParts energy;
   general_own_ = 0;
   for (const std::uint32_t g : general_)
@@ -216,20 +224,20 @@ EnergyParts MixedEvaluation::add_general_terms(const potential::AtomsView& atoms
 
 EnergyParts MixedEvaluation::run_fast_loops(const Sp2Data& data) {
   const std::size_t own = blocks_.own_blocks;
-  kernel_->first(data, own, blocks_.blocks);
+  loops_.first(data, own, blocks_.blocks);
   switch_off_outside(own, blocks_.blocks);
   Sp2Energy sum = {};
   std::size_t done = 0;
   for (std::size_t begin = 0; begin < own; begin += Sp2Blocks::window) {
     const std::size_t end = std::min(own, begin + Sp2Blocks::window);
-    kernel_->first(data, begin, end);
+    loops_.first(data, begin, end);
     switch_off_outside(begin, end);
     std::size_t ready = done;
     while (ready < own && blocks_.needs[ready] <= end) ++ready;
-    kernel_->second(data, done, ready, &sum);
+    loops_.second(data, done, ready, &sum);
     done = ready;
   }
-  return {sum.repulsive, sum.sigma_pi, sum.conjugation, sum.dihedral};
+  return {sum.repulsive, sum.sigma_pi, sum.conjugation, sum.dihedral, sum.torsion};
 }
 
 EnergyParts MixedEvaluation::evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near,
@@ -237,7 +245,8 @@ EnergyParts MixedEvaluation::evaluate(const potential::AtomsView& atoms, const p
                                       bool general_only) {
   if (general_only || !fast_applies_ || shares.virials) {
     general_own_ = atoms.own;
-    return evaluate_general(atoms, near, {parameters_, coordination_tables()}, workspace_, forces, shares);
+    const Model model(parameters_, torsion_ ? &*torsion_ : nullptr);
+    return evaluate_general(atoms, near, model, workspace_, forces, shares);
   }
   if (!blocks_are_good_) make_blocks(atoms, near);
   if (shares.energies) edge_energies_.resize(3 * sp2_block * blocks_.own_blocks);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -9,22 +10,26 @@
 #include "nanocarbon/potential/rebo2/sp2_blocks.h"
 #include "nanocarbon/potential/rebo2/sp2_constants.h"
 #include "nanocarbon/potential/rebo2/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/torsion_energy.h"
 
 namespace nanocarbon::rebo2 {
 
-//! \brief REBO2 with the fast loops wherever they apply and the general terms elsewhere, atom by atom.
-//! \details Both evaluate the same function, so nothing jumps where an atom goes from one to the other. An
-//! atom in the fast case has its angles in the loops whatever its neighbours are. A bond between two such
-//! atoms has its dihedrals there too, unless a coordination that N_conj depends on is fractional; where it is
-//! whole but not three, only the bond's constants differ.
+//! \brief The bond-order energy with the fast loops wherever they apply and the general terms elsewhere, atom
+//! by atom. \details Both evaluate the same function, so nothing jumps where an atom goes from one to the
+//! other. An atom in the fast case has its angles in the loops whatever its neighbours are. A bond between
+//! two such atoms has its dihedrals there too, unless a coordination that N_conj depends on is fractional;
+//! where it is whole but not three, only the bond's constants differ. AIREBO's torsion energy of a bond goes
+//! with its dihedrals.
 class MixedEvaluation {
  public:
-  MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel);
+  //! \param torsion adds AIREBO's torsion energy
+  MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel,
+                  const std::optional<TorsionBarriers>& torsion = {});
 
   //! To be called whenever the atoms, their elements or the near pairs have changed.
   void near_changed() { blocks_are_good_ = false; }
 
-  //! \brief Arguments and result as of evaluate_general().
+  //! \brief Arguments and result as of evaluate_general(), with the torsion energy if there is one.
   //! \details Virials of single atoms are shared out term by term, so they come from the general terms alone.
   EnergyParts evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near, double* forces,
                        const potential::AtomShares& shares, bool general_only = false);
@@ -62,7 +67,8 @@ class MixedEvaluation {
   Rebo2Parameters parameters_;
   Sp2Constants constants_;
   Sp2BondConstants bond_constants_;
-  const Sp2Kernel* kernel_;
+  std::optional<TorsionBarriers> torsion_;
+  Sp2Loops loops_;
   double watch_squared_;
 
   bool fast_applies_;

@@ -73,16 +73,18 @@ constexpr HydrogenAngles hydrogen_angles = {
                        0.8376699753}},
 };
 
-constexpr Rebo2Parameters published = {
-    .pairs = {carbon_carbon, carbon_hydrogen, hydrogen_hydrogen},
-    .conjugation_begin = 2.0,
-    .conjugation_end = 3.0,
-    .carbon = carbon_angles,
-    .hydrogen = hydrogen_angles,
-};
-
 }  // namespace
 
-const Rebo2Parameters& rebo2_parameters() { return published; }
+const Rebo2Parameters& rebo2_parameters() {
+  static const Rebo2Parameters published = {
+      .pairs = {carbon_carbon, carbon_hydrogen, hydrogen_hydrogen},
+      .conjugation_begin = 2.0,
+      .conjugation_end = 3.0,
+      .carbon = carbon_angles,
+      .hydrogen = hydrogen_angles,
+      .tables = rebo2_tables(),
+  };
+  return published;
+}
 
 }  // namespace nanocarbon::rebo2

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "nanocarbon/core/element.h"
+#include "nanocarbon/potential/rebo2/coordination_tables.h"
 
 namespace nanocarbon::rebo2 {
 
@@ -43,17 +44,18 @@ struct HydrogenAngles {
   std::array<Quintic, 3> pieces;
 };
 
-//! \brief Every parameter of REBO2 that a potential file can set.
+//! \brief Every parameter of REBO2: those that a potential file can set, and the splines over coordination
+//! numbers.
 //! \details D. W. Brenner, O. A. Shenderova, J. A. Harrison, S. J. Stuart, B. Ni, S. B. Sinnott, J. Phys.:
 //! Condens. Matter 14, 783 (2002), with the angular splines of S. J. Stuart, A. B. Tutein, J. A. Harrison, J.
-//! Chem. Phys. 112, 6472 (2000), as LAMMPS's CH.rebo has them, rounding included. The splines over
-//! coordination numbers are not among them: see coordination_tables.h.
+//! Chem. Phys. 112, 6472 (2000), as LAMMPS's CH.rebo has them, rounding included.
 struct Rebo2Parameters {
   std::array<PairParameters, 3> pairs;  //!< by pair_index()
   double conjugation_begin;             //!< neighbours with fewer bonds are fully unsaturated (F = 1)
   double conjugation_end;               //!< with more they are saturated (F = 0)
   CarbonAngles carbon;
   HydrogenAngles hydrogen;
+  CoordinationTables tables;  //!< no file sets these
 };
 
 //! Energy of an atom of a flat, relaxed sheet of graphene (bonds of 1.42040 Angstrom), eV.

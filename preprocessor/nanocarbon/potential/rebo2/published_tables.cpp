@@ -115,7 +115,7 @@ TricubicTable make_t_cc() {
 
 }  // namespace
 
-const CoordinationTables& coordination_tables() {
+const CoordinationTables& rebo2_tables() {
   static const CoordinationTables tables = {
       BicubicTable(p_cc_knots), BicubicTable(p_ch_knots), make_f_cc(), make_f_ch(), make_f_hh(), make_t_cc()};
   return tables;

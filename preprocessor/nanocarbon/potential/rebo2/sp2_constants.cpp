@@ -66,6 +66,7 @@ Sp2Constants make_sp2_constants(const Rebo2Parameters& parameters, double shorte
   const auto length = [&](long double x) { return c.middle + x / c.inverse_half_width; };
   interpolate([&](long double x) { return repulsion(pair, length(x)); }, c.repulsion);
   interpolate([&](long double x) { return attraction(pair, length(x)); }, c.attraction);
+  c.one_plus_p = 1.0 + parameters.tables.p_cc.evaluate(2.0, 0.0).value;
   std::copy_n(parameters.carbon.knots.begin() + 1, 3, c.knots);
   for (int piece = 0; piece < 4; ++piece)
     std::copy(parameters.carbon.few[piece].begin(), parameters.carbon.few[piece].end(), c.angular[piece]);
@@ -80,8 +81,7 @@ Sp2BondConstants sp2_bond_constants(const CoordinationTables& tables, double n_c
 bool sp2_case_applies(const Rebo2Parameters& parameters) {
   return parameters.conjugation_begin >= 2.0 && parameters.carbon.few_end >= 2.0 &&
          parameters.pairs[0].cutoff_begin > shortest_bond &&
-         parameters.pairs[0].dihedral_cutoff_end >= parameters.pairs[0].cutoff_begin &&
-         coordination_tables().p_cc.evaluate(2.0, 0.0).value == 0.0;
+         parameters.pairs[0].dihedral_cutoff_end >= parameters.pairs[0].cutoff_begin;
 }
 
 }  // namespace nanocarbon::rebo2

@@ -13,6 +13,11 @@
 //!     S = 4 - M_i : M_j,   M_i = sum over the other two neighbours k of a_k a_k^T / |a_k|^2,
 //! a_k the part of u_k across the bond. The first pass makes the tensors, the second the energy and forces.
 //! Each atom carries half of its bonds' energy and all derivatives of it by its own three vectors.
+//!
+//! Where AIREBO's torsion energy is wanted too, the first pass hands over the two unit vectors e_k along a_k
+//! instead: as many numbers. Their products with the other end's are the cosines of the four dihedrals; S is
+//! 4 minus the sum of their squares, and each adds barrier [256/405 ((1 + cos)/2)^5 - 1/10] (Stuart et al.
+//! 2000, equation 13).
 
 #include <cstddef>
 #include <cstdint>
@@ -35,13 +40,16 @@ struct Sp2Constants {
   double attraction[sp2_degree + 1];
   double knots[3];  //!< of g_C, the inner ones
   double angular[4][6];
+  double one_plus_p;       //!< 1 + P_CC(2, 0)
+  double torsion_barrier;  //!< of four carbons, eV; for the loops with the torsion energy
 };
 
 //! What differs from bond to bond: pieces of a block's modifiers, [piece][lane].
 struct Sp2Modifiers {
-  double on[sp2_block];          //!< 1, or 0 for an atom that is evaluated elsewhere (or is padding)
-  double torsion[3][sp2_block];  //!< T of each bond, or 0 where the bond's own terms are evaluated elsewhere
-  double pi[3][sp2_block];       //!< pi_RC of each bond
+  double on[sp2_block];  //!< 1, or 0 for an atom that is evaluated elsewhere (or is padding)
+  //! T of each bond, or 0 where the bond's own terms (the torsion energy too) are evaluated elsewhere.
+  double torsion[3][sp2_block];
+  double pi[3][sp2_block];  //!< pi_RC of each bond
 };
 
 //! \brief Arrays of one evaluation.
@@ -56,7 +64,7 @@ struct Sp2Data {
   const std::uint32_t* reverses;  //!< [block][s][lane], the neighbour's record of this bond, or one of zeros
   const std::uint32_t* slots;     //!< [block]
   double* geometry;               //!< [slot][4 s + (x, y, z, r)][lane]
-  double* tensors;                //!< [record][xx, yy, zz, xy, xz, yz]
+  double* tensors;                //!< [record][xx, yy, zz, xy, xz, yz], or two unit vectors
   std::uint32_t* outside;         //!< [block] a bit for each lane that is not in the fast case
   const Sp2Modifiers* const* modifiers;  //!< [block]
   double* forces;                        //!< x, y, z of every atom, added to
@@ -69,13 +77,20 @@ struct Sp2Energy {
   double sigma_pi;
   double conjugation;
   double dihedral;
+  double torsion;  //!< left alone by loops without it
+};
+
+//! The two passes.
+struct Sp2Loops {
+  void (*first)(const Sp2Data& data, std::size_t begin_block, std::size_t end_block);
+  void (*second)(const Sp2Data& data, std::size_t begin_block, std::size_t end_block, Sp2Energy* energy);
 };
 
 //! The loops as compiled for one instruction set.
 struct Sp2Kernel {
   const char* name;
-  void (*first)(const Sp2Data& data, std::size_t begin_block, std::size_t end_block);
-  void (*second)(const Sp2Data& data, std::size_t begin_block, std::size_t end_block, Sp2Energy* energy);
+  Sp2Loops bond_order;    //!< the bond-order energy alone
+  Sp2Loops with_torsion;  //!< AIREBO's torsion energy as well
 };
 
 }  // namespace nanocarbon::rebo2

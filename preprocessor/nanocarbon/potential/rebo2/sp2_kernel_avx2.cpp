@@ -14,7 +14,7 @@ namespace {
 }  // namespace
 
 const Sp2Kernel* sp2_kernel_avx2() {
-  static const Sp2Kernel kernel = {"avx2", first, second};
+  static const Sp2Kernel kernel = {"avx2", {first<false>, second<false>}, {first<true>, second<true>}};
   return &kernel;
 }
 

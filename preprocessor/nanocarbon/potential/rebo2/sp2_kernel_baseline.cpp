@@ -16,7 +16,7 @@ namespace {
 }  // namespace
 
 const Sp2Kernel* sp2_kernel_baseline() {
-  static const Sp2Kernel kernel = {"generic", first, second};
+  static const Sp2Kernel kernel = {"generic", {first<false>, second<false>}, {first<true>, second<true>}};
   return &kernel;
 }
 

@@ -21,6 +21,16 @@ inline Real load(const double* from) {
 
 inline void store(double* to, Real value) { __builtin_memcpy(to, &value, sizeof value); }
 
+inline Vector load_vector(const double* from) {
+  return {load(from), load(from + sp2_block), load(from + 2 * sp2_block)};
+}
+
+inline void store(double* to, const Vector& v) {
+  store(to, v.x);
+  store(to + sp2_block, v.y);
+  store(to + 2 * sp2_block, v.z);
+}
+
 inline Real square_root(Real x) {
 #if defined(__AVX512F__) && NANOCARBON_LANES == 8
   return (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
@@ -68,6 +78,12 @@ inline void add_projected(Tensor& t, const Vector& axis, const Vector& arm, Real
   t.xy += a.x * b.y;
   t.xz += a.x * b.z;
   t.yz += a.y * b.z;
+}
+
+// The unit vector along the part of an arm across the axis.
+inline Vector across(const Vector& axis, const Vector& arm, Real cosine, Real inverse_sine) {
+  return {(arm.x - cosine * axis.x) * inverse_sine, (arm.y - cosine * axis.y) * inverse_sine,
+          (arm.z - cosine * axis.z) * inverse_sine};
 }
 
 // An arm of a dihedral and the angle between it and the axis.
@@ -122,6 +138,7 @@ inline void fetch_positions(const Sp2Data& data, std::size_t block, double (*to)
     }
 }
 
+template <bool torsion_energy>
 void first(const Sp2Data& data, std::size_t begin_block, std::size_t end_block) {
   const Sp2Constants& c = *data.constants;
   alignas(64) double positions[12][sp2_block];
@@ -152,17 +169,24 @@ void first(const Sp2Data& data, std::size_t begin_block, std::size_t end_block) 
         const Real cosine = dot(u[s], u[k]);
         const Real inverse_sine2 = inverse_sine_squared(cosine);
         bad |= (cosine < c.lowest_cosine) | (cosine > c.highest_cosine);
-        add_projected(tensors[s], u[s], u[k], cosine, inverse_sine2);
-        add_projected(tensors[k], u[k], u[s], cosine, inverse_sine2);
+        if constexpr (torsion_energy) {
+          const Real inverse_sine = square_root(inverse_sine2);
+          store(&made[6 * s][l], across(u[s], u[k], cosine, inverse_sine));
+          store(&made[6 * k + 3][l], across(u[k], u[s], cosine, inverse_sine));
+        } else {
+          add_projected(tensors[s], u[s], u[k], cosine, inverse_sine2);
+          add_projected(tensors[k], u[k], u[s], cosine, inverse_sine2);
+        }
       }
-      for (int s = 0; s < 3; ++s) {
-        store(&made[6 * s][l], tensors[s].xx);
-        store(&made[6 * s + 1][l], tensors[s].yy);
-        store(&made[6 * s + 2][l], tensors[s].zz);
-        store(&made[6 * s + 3][l], tensors[s].xy);
-        store(&made[6 * s + 4][l], tensors[s].xz);
-        store(&made[6 * s + 5][l], tensors[s].yz);
-      }
+      if constexpr (!torsion_energy)
+        for (int s = 0; s < 3; ++s) {
+          store(&made[6 * s][l], tensors[s].xx);
+          store(&made[6 * s + 1][l], tensors[s].yy);
+          store(&made[6 * s + 2][l], tensors[s].zz);
+          store(&made[6 * s + 3][l], tensors[s].xy);
+          store(&made[6 * s + 4][l], tensors[s].xz);
+          store(&made[6 * s + 5][l], tensors[s].yz);
+        }
       for (int m = 0; m < lanes; ++m) outside |= static_cast<std::uint32_t>(bad[m] & 1) << (l + m);
     }
     data.outside[block] = outside;
@@ -195,9 +219,44 @@ inline void scatter_forces(const Sp2Data& data, std::size_t block, const double 
   }
 }
 
+// Of the four dihedrals around a bond: S, and the sum of 256/405 ((1 + cos)/2)^5 - 1/10.
+struct Dihedrals {
+  Real sum = all(4.0);
+  Real torsion = all(-0.4);
+};
+
+// Takes the other end's unit vectors, and adds derivatives: of the sum of squared cosines by_square / 2, of
+// the torsion sum by_torsion.
+inline Dihedrals add_dihedrals(const Vector (&other)[2], const Arm (&arms)[2], const Vector* u,
+                               const Real* cosine, const Real* inverse_sine2, Real by_square, Real by_torsion,
+                               Vector* by_direction, Vector& by_axis, Real* by_angle) {
+  Dihedrals made;
+  for (int n = 0; n < 2; ++n) {
+    const auto [arm, angle] = arms[n];
+    const Real inverse_sine = square_root(inverse_sine2[angle]);
+    Vector y = {};
+    Real q = Real{};
+    for (const Vector& e : other) {
+      const Real x = dot(u[arm], e) * inverse_sine;
+      const Real half = 0.5 + 0.5 * x;
+      const Real fourth = half * half * half * half;
+      made.sum -= x * x;
+      made.torsion += (256.0 / 405.0) * fourth * half;
+      const Real by_x = by_square * x + by_torsion * (2.5 * 256.0 / 405.0) * fourth;
+      add(y, e, by_x);
+      q += by_x * x;
+    }
+    by_angle[angle] += q * cosine[angle] * inverse_sine2[angle];
+    add(by_direction[arm], y, inverse_sine);
+    add(by_axis, y, -cosine[angle] * inverse_sine);
+  }
+  return made;
+}
+
+template <bool torsion_energy>
 void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block, Sp2Energy* energy) {
   const Sp2Constants& c = *data.constants;
-  Real repulsive = Real{}, sigma_pi = Real{}, conjugation = Real{}, dihedral = Real{};
+  Real repulsive = Real{}, sigma_pi = Real{}, conjugation = Real{}, dihedral = Real{}, torsional = Real{};
   alignas(64) double tensors[18][sp2_block];
   alignas(64) double pulls[9][sp2_block];
   for (std::size_t block = begin_block; block < end_block; ++block) {
@@ -230,30 +289,40 @@ void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block,
         const ValueAndSlope v_a = polynomial<sp2_degree>(c.attraction, x);
         const Real half_a = 0.5 * on * v_a.value;
 
-        // p = (1 + g + g')^(-1/2) over the two angles at this bond.
+        // p = (1 + P + g + g')^(-1/2) over the two angles at this bond.
         const int a = (s + 1) % 3, b = (s + 2) % 3;
-        const Real p = 1.0 / square_root(1.0 + g[a].value + g[b].value);
+        const Real p = 1.0 / square_root(c.one_plus_p + g[a].value + g[b].value);
         const Real by_sum = -0.5 * p * p * p * half_a;
         by_cosine[a] += by_sum * g[a].slope;
         by_cosine[b] += by_sum * g[b].slope;
 
         // Arm a encloses angle b with this bond, and arm b angle a.
-        const Tensor m = {load(&tensors[6 * s][l]),     load(&tensors[6 * s + 1][l]),
-                          load(&tensors[6 * s + 2][l]), load(&tensors[6 * s + 3][l]),
-                          load(&tensors[6 * s + 4][l]), load(&tensors[6 * s + 5][l])};
         const Real torsion = load(&modifiers.torsion[s][l]);
         const Real by_product =
             -4.0 * torsion * half_a;  // both halves of the bond's energy, times 2 of the square
-        Real sum = all(4.0);
+        Real sum = all(4.0), half_t = Real{};
         const Arm arms[] = {{a, b}, {b, a}};
-        for (const auto& [arm, angle] : arms) {
-          const Vector y = times(m, u[arm]);
-          const Real q = dot(y, u[arm]) * inverse_sine2[angle];
-          const Real f = by_product * inverse_sine2[angle];
-          sum -= q;
-          by_cosine[angle] += f * q * cosine[angle];
-          add(by_direction[arm], y, f);
-          add(by_direction[s], y, -f * cosine[angle]);
+        if constexpr (torsion_energy) {
+          const Real barrier = torsion != 0.0 ? on * c.torsion_barrier : Real{};
+          const Vector other[] = {load_vector(&tensors[6 * s][l]), load_vector(&tensors[6 * s + 3][l])};
+          const Dihedrals dihedrals = add_dihedrals(other, arms, u, cosine, inverse_sine2, by_product,
+                                                    barrier, by_direction, by_direction[s], by_cosine);
+          sum = dihedrals.sum;
+          half_t = 0.5 * barrier * dihedrals.torsion;
+          torsional += half_t;
+        } else {
+          const Tensor m = {load(&tensors[6 * s][l]),     load(&tensors[6 * s + 1][l]),
+                            load(&tensors[6 * s + 2][l]), load(&tensors[6 * s + 3][l]),
+                            load(&tensors[6 * s + 4][l]), load(&tensors[6 * s + 5][l])};
+          for (const auto& [arm, angle] : arms) {
+            const Vector y = times(m, u[arm]);
+            const Real q = dot(y, u[arm]) * inverse_sine2[angle];
+            const Real f = by_product * inverse_sine2[angle];
+            sum -= q;
+            by_cosine[angle] += f * q * cosine[angle];
+            add(by_direction[arm], y, f);
+            add(by_direction[s], y, -f * cosine[angle]);
+          }
         }
         const Real pi = load(&modifiers.pi[s][l]);
         const Real order = p + torsion * sum + pi;
@@ -264,7 +333,8 @@ void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block,
         conjugation += half_a * pi;
         dihedral += half_a * torsion * sum;
         if (data.edge_energies)
-          store(data.edge_energies + (block * 3 + s) * sp2_block + l, half_r + half_a * order);
+          store(data.edge_energies + (block * 3 + s) * sp2_block + l,
+                torsion_energy ? half_r + half_a * order + half_t : half_r + half_a * order);
       }
       for (int s = 0; s < 3; ++s) {
         const int a = (s + 1) % 3, b = (s + 2) % 3;
@@ -284,5 +354,6 @@ void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block,
     energy->sigma_pi += sigma_pi[m];
     energy->conjugation += conjugation[m];
     energy->dihedral += dihedral[m];
+    if (torsion_energy) energy->torsion += torsional[m];
   }
 }
