@@ -27,7 +27,7 @@ rebo2::Sp2Constants wide_constants() {
 }
 
 double torsion_constant() {
-  static const double constant = rebo2::sp2_bond_constants(rebo2_tables()).torsion;
+  static const double constant = rebo2::sp2_bond_constants(rebo2::rebo2_tables()).torsion;
   return constant;
 }
 
@@ -102,7 +102,7 @@ void FixedBondLoops::set_modifiers(const FixedBondGraph& graph, std::size_t fast
 std::optional<double> FixedBondLoops::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   if (blocks_ == 0) return 0.0;
   static const rebo2::Sp2Constants constants = wide_constants();
-  static const Sp2Loops& loops = rebo2::usable_sp2_kernels().front()->bond_order;
+  static const rebo2::Sp2Loops& loops = rebo2::usable_sp2_kernels().front()->bond_order;
   std::fill(forces_.begin(), forces_.end(), 0.0);
   const rebo2::Sp2Data data = {&constants,         positions.data()->data(), atoms_.data(),
                                neighbours_.data(), reverses_.data(),         slots_.data(),

@@ -16,7 +16,7 @@ namespace {
 
 // T_CC(2, 2, k), k = 2..9: of bonds between three-coordinated carbons.
 double torsion_constant() {
-  static const double constant = rebo2::sp2_bond_constants(rebo2_tables()).torsion;
+  static const double constant = rebo2::sp2_bond_constants(rebo2::rebo2_tables()).torsion;
   return constant;
 }
 
