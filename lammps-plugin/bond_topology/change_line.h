@@ -25,7 +25,7 @@ std::string change_line(const SimulationTime& when, const WatchReport& before, c
 struct WatchFigures {
   static constexpr int count = 12;
   double verdict = 0.0;
-  double vector[count] = {};  //!< not a number where the bonds are no surface and have no such figure
+  double vector[count] = {};  //!< not a number where the bonds are not a surface and have no such figure
 };
 WatchFigures figures(const WatchReport& report);
 

@@ -112,7 +112,7 @@ void load(LAMMPS& lmp, const std::string& name) {
   }
   void* const entry = dlsym(object, plugin_entry_point);
   if (entry == nullptr)
-    lmp.error->all(FLERR, "plugin load: " + file.path.string() + " is no LAMMPS plugin: it has no function " +
+    lmp.error->all(FLERR, "plugin load: " + file.path.string() + " is not a LAMMPS plugin: it has no function " +
                               plugin_entry_point);
   (*reinterpret_cast<PluginInit*>(entry))(&lmp, object, reinterpret_cast<void*>(&register_style));
 }

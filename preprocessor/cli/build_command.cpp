@@ -71,7 +71,7 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
              "Time spent on low energy: draft, good (default) or best");
   group
       ->add_option("--bond-length", c.build.bond_length,
-                   "Bond length that the size is reckoned with, Angstrom")
+                   "Bond length used to compute the size, Angstrom")
       ->check(between(1.0, 2.0))
       ->capture_default_str();
   group

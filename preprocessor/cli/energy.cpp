@@ -170,7 +170,7 @@ void add_energy(CLI::App& app) {
   sub.add_flag("--json", command->json, "Print JSON; virial as xx, yy, zz, xy, xz, yz in eV");
   sub.add_option(
       "--boundary", command->boundary,
-      "Which directions of a data file are periodic, such as 'p p f'; goes before what the file says");
+      "Which directions of a data file are periodic, such as 'p p f'; overrides what the file says");
   sub.add_option("--potential", command->potential,
                  "Parameters from a file in the format of LAMMPS's CH.rebo");
   sub.footer(R"(The energy is that of LAMMPS's pair_style rebo, in eV.

@@ -17,7 +17,7 @@ CLI::Validator number_that(const std::string& rule, Test test) {
       [=](std::string& text) {
         double number = 0.0;
         const bool is_number = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
-        return is_number && test(number) ? std::string() : fmt::format("'{}' is no number {}", text, rule);
+        return is_number && test(number) ? std::string() : fmt::format("'{}' is not a number {}", text, rule);
       },
       rule);
 }

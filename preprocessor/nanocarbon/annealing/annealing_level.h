@@ -7,19 +7,19 @@
 
 namespace nanocarbon::annealing {
 
-//! A molecule in the making at one number of atoms, on the surface as large as fits that number.
+//! An intermediate molecule with a given number of atoms, on the surface scaled to fit that number.
 struct AnnealingLevel {
   SwitchingState state;
   double unannealed = 0;     //!< eV for each atom, without tether, before any bond was switched
   double mean_distance = 0;  //!< of the atoms to the surface, Angstrom
   std::size_t accepted = 0;  //!< bond switches
-  bool sound = false;        //!< REBO2 would see the bonds that are meant; as of relax_level()
+  bool sound = false;        //!< REBO2 would see the intended bonds; as of relax_level()
 };
 
 //! The dual of a triangulation as it is. Nothing where parts are so thin for its faces that it pinches them.
 std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean);
 
-//! Whether REBO2 would see the bonds that are meant, as they are now, with a margin for what happens when the
+//! Whether REBO2 would see the intended bonds at the present positions, with a margin for what happens when the
 //! tether goes.
 bool holds(const AnnealingLevel& level);
 
@@ -30,7 +30,7 @@ void relax_level(AnnealingLevel& level, const TetherSurface& surface, bool raw =
 //! Switches bonds; options.tether is the level's.
 void anneal_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options);
 
-//! Switches bonds until REBO2 would see those that are meant, a little at a time and without heat.
+//! Switches bonds until REBO2 would see the intended ones, a little at a time and without heat.
 void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options);
 
 //! \brief How far the surface reaches beyond the molecule: the distance of its farthest vertex from the

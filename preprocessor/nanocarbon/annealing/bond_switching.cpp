@@ -22,7 +22,7 @@ double default_penalty(double target) {
   return std::max(1 / target, std::min(200000 / (target * target), 0.05));
 }
 
-// Rings that are no hexagons, with constant-time updates and an order that depends only on the history.
+// Rings that are not hexagons, with constant-time updates and an order that depends only on the history.
 class DefectList {
  public:
   explicit DefectList(const TrivalentNetwork& network) {

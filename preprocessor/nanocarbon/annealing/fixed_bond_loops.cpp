@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t nowhere = static_cast<std::uint32_t>(-1);
 
-// Bonds in the making; the polynomials are good to 1e-10 eV there. Angstrom.
+// Bonds of intermediate molecules; the polynomials are good to 1e-10 eV there. Angstrom.
 constexpr double shortest = 1.1, longest = 2.0;
 // Nearly straight and nearly folded angles have no direction for a dihedral.
 constexpr double largest_cosine = 0.998;

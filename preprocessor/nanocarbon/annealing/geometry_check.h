@@ -12,7 +12,7 @@ namespace nanocarbon::annealing {
 //! at 2.46.
 inline constexpr double unbonded_search_radius = 2.2;
 
-//! Whether REBO2 sees the bond graph as it is meant: bonds below 1.7 (where the cut-off begins), other pairs
+//! Whether REBO2 sees exactly the intended bond graph: bonds below 1.7 (where the cut-off begins), other pairs
 //! above 2.0.
 struct GeometryCheck {
   double shortest_bond = 0;                          //!< Angstrom

@@ -14,7 +14,7 @@ inline constexpr double longest_unguarded_bond = 1.65, closest_unguarded_second_
 //! \brief Harmonic walls that the fixed-bond energy needs: against torn bonds and against kinks.
 //! \details REBO2 on fixed bonds hardly pulls on a bond that is stretched to twice its length, and has minima
 //! where two neighbours of an atom lie on top of each other, since it does not know that they would bind.
-//! Nothing is added for a molecule that REBO2 sees as it is meant.
+//! Nothing is added for a molecule whose bonds REBO2 sees as intended.
 //! \return eV; the gradient (eV/Angstrom) is added to
 double add_guards(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient);
 

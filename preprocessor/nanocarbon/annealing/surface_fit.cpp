@@ -42,7 +42,7 @@ Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& 
       right -= height_above(plane, x) * row / count;
       misfit += (x - plane.point).squaredNorm() / count;
     }
-    // Planes are no surface: near edges and thin parts a step by them may lead away.
+    // Planes are not the surface: near edges and thin parts a step by them may lead away.
     if (!(misfit < least)) break;
     best = fit;
     least = misfit;

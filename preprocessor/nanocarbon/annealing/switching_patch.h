@@ -10,7 +10,7 @@
 
 namespace nanocarbon::annealing {
 
-//! A molecule in the making: bond graph, positions and the planes it is tethered to, entry by entry.
+//! An intermediate molecule: bond graph, positions and the planes it is tethered to, entry by entry.
 struct SwitchingState {
   TrivalentNetwork network;
   std::vector<Vec3> positions;

@@ -34,7 +34,7 @@ struct TrialWorkspace {
   SwitchingPatch near, far;
 };
 
-//! Draws a switch at one of the defects (rings that are no hexagons), or nothing where ring sizes forbid it.
+//! Draws a switch at one of the defects (rings that are not hexagons), or nothing where ring sizes forbid it.
 //! Sizes stay 5 to 7, or come nearer to that; the sum of (size - 6)^2 may rise by 4 at most, and by 4 one
 //! time in five.
 std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<const RingIndex> defects,

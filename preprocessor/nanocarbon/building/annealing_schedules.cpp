@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t coarsest = 225;  // atoms: fewer cannot show a shape, and cost more for each
 
-// Atoms up to which a hot start at full size is affordable where no coarser one is of use: a long one where
+// Atoms up to which a hot start at full size is affordable where no coarser one is useful: a long one where
 // none was tried. Below the other number a short one must do everywhere.
 constexpr std::size_t small = 1800, tiny = 400;
 

@@ -170,7 +170,7 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
     Stopwatch crystal;
     crystal::CrystalOptions wanted{
         .faces = faces, .seed = seed, .quality = options.quality, .progress = options.progress};
-    // A sixteenth of the atoms serves smooth shapes, on which the first seed does.
+    // Only smooth shapes are annealed at a sixteenth of the atoms, and there the first seed is enough.
     if (faces < result.surface.atoms / 8) wanted.attempts = 1;
     crystal::CrystalResult made = crystal::crystallise(surface, wanted);
     result.seconds.remeshing += crystal.lap();

@@ -35,7 +35,7 @@ struct BuildOptions {
 
   //! \name Of the annealed recipe
   //! @{
-  double bond_length = 1.42;  //!< that the size is reckoned with, Angstrom
+  double bond_length = 1.42;  //!< used to compute the size, Angstrom
   Quality quality = Quality::good;
   std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: anneal_recipe.h
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom

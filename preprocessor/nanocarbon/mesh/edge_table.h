@@ -18,7 +18,7 @@ struct EdgeUse {
 };
 
 //! The edges of a mesh, each once, sorted by (low, high), with the faces at each of them. An edge is at a
-//! boundary with one use, inner with two, non-manifold with more. Sides from a vertex to itself are no edges.
+//! boundary with one use, inner with two, non-manifold with more. Sides from a vertex to itself are not edges.
 struct EdgeTable {
   std::vector<VertexIndex> low, high;
   std::vector<std::uint32_t> offsets = {

@@ -17,7 +17,7 @@ void add_rings(Molecule& molecule, int largest) {
   topology::SurfaceTopology surface =
       topology::surface_topology(molecule::embedded_graph(molecule), {largest});
   if (surface.problem)
-    throw UserError(Failure::failed, "the structure is no surface: " + surface.problem->reason);
+    throw UserError(Failure::failed, "the structure is not a surface: " + surface.problem->reason);
   molecule.rings = std::move(surface.rings);
 }
 

@@ -7,7 +7,7 @@
 
 namespace nanocarbon::topology {
 
-//! Why a bond graph is no surface, and the atom where.
+//! Why a bond graph is not a surface, and the atom where.
 struct NotASurface {
   std::string reason;  //!< names atoms by ID
   AtomIndex atom;

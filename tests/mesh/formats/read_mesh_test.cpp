@@ -56,7 +56,7 @@ TEST_F(ReadMesh, AForbiddenFileIsSaidSo) {
 
 TEST_F(ReadMesh, WhatIsNoMeshIsSaidSo) {
   EXPECT_THAT(malformed(file("a.off", "")), HasSubstr("a.off: the file is empty"));
-  EXPECT_THAT(malformed(file("a.txt", "hello\n")), HasSubstr("is no OFF, OBJ, PLY or STL file"));
+  EXPECT_THAT(malformed(file("a.txt", "hello\n")), HasSubstr("is not an OFF, OBJ, PLY or STL file"));
   EXPECT_THAT(malformed(file("a.off", "hello\n")), HasSubstr("a.off:1: "));
   EXPECT_THAT(malformed(file("a.ply", "hello\n")), HasSubstr("a.ply:1: a PLY file begins with ply"));
   EXPECT_THAT(malformed(file("a.obj", "hello\n")), HasSubstr("no vertices"));

@@ -26,7 +26,7 @@ bool begins_like_obj(std::string_view line) {
 }
 
 [[noreturn]] void fail_unknown(std::string_view contents, const std::string& file) {
-  const char* what = "is no OFF, OBJ, PLY or STL file";
+  const char* what = "is not an OFF, OBJ, PLY or STL file";
   if (contents.empty()) what = "is empty";
   if (contents.starts_with("\x1f\x8b")) what = "is compressed by gzip (unpack it first)";
   if (contents.starts_with("PK")) what = "is a ZIP archive such as 3MF (unpack or convert it first)";

@@ -39,7 +39,7 @@ class TextScanner {
   bool at_line_end();
 
   //! \brief The next word as a finite coordinate.
-  //! \throw UserError (malformed) when there is none, or it is no number, not finite, or beyond what can be
+  //! \throw UserError (malformed) when there is none, or it is not a number, not finite, or beyond what can be
   //! squared
   double coordinate(const char* what);
   //! The next word as an integer from 0 on.

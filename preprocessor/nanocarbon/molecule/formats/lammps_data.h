@@ -42,9 +42,9 @@ void write_lammps_data(const std::filesystem::path& path, const Molecule& molecu
 
 struct LammpsReadOptions {
   std::optional<AtomStyle> atom_style = {};          //!< where the file does not say "Atoms # style"
-  std::optional<std::array<bool, 3>> periodic = {};  //!< goes before the file's "# boundary" comment
+  std::optional<std::array<bool, 3>> periodic = {};  //!< overrides the file's "# boundary" comment
   std::vector<std::optional<Element>> type_elements =
-      {};  //!< of type 1, 2, ...; goes before what the file says
+      {};  //!< of type 1, 2, ...; overrides what the file says
 };
 
 struct LammpsData {

@@ -49,7 +49,7 @@ class MixedEvaluation {
   Sp2Modifiers* modifiers_of(std::uint32_t place);
   void reset_modifiers();
   void flag_general(std::uint32_t atom);
-  //! Atoms that are no candidates, and candidates with a fourth neighbour.
+  //! Atoms that are not candidates, and candidates with a fourth neighbour.
   void find_crowded_atoms(const potential::AtomsView& atoms, const potential::NearPairs& near);
   void switch_off(std::uint32_t atom);
   void switch_off_bond(std::uint32_t fast, std::uint32_t general);

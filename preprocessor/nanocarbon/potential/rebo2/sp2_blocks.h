@@ -35,8 +35,8 @@ struct Sp2Blocks {
   std::vector<std::uint32_t>
       needs;  //!< [own block] the second pass of it and those before needs this many first ones
 
-  std::vector<std::array<std::uint32_t, 2>> watched;  //!< near pairs of candidates that are no bonds
-  std::vector<std::uint32_t> others;   //!< atoms that are no candidates: own ones and copies next to them
+  std::vector<std::array<std::uint32_t, 2>> watched;  //!< near pairs of candidates that are not bonds
+  std::vector<std::uint32_t> others;   //!< atoms that are not candidates: own ones and copies next to them
   std::vector<std::uint32_t> crowded;  //!< copies further out that may have four bonds or more
 
   std::uint32_t zero_record() const { return static_cast<std::uint32_t>(3 * sp2_block * slot_count); }

@@ -11,7 +11,7 @@ namespace nanocarbon::features {
 //! \brief The next number of atoms that a shape with features that are too small may be asked to hold.
 //!
 //! The smallest number of two digits, within what was searched, that check_features() itself has nothing
-//! against. An enlargement reckoned from a problem alone is wrong either way, for normals are smoothed over a
+//! against. An enlargement computed from a problem alone is wrong either way, for normals are smoothed over a
 //! length that does not grow with the shape. For the same reason a still larger number may be refused again,
 //! where a groove that had been smoothed over shows as a gap.
 //! \param surface in Angstrom, with problems at this size

@@ -47,7 +47,7 @@ struct FeatureReport {
 //!
 //! From every place of the surface the nearest place that lies along it is sought on the normal,
 //! inwards and outwards, which is the local thickness and the local gap. Sharp edges, however sharp up to
-//! about 30 degrees, are no thin parts: their sides do not face opposite ways. Normals are smoothed over half
+//! about 30 degrees, are not thin parts: their sides do not face opposite ways. Normals are smoothed over half
 //! a ring, so that roughness below that size does not matter. A thick place counts as a limb where normals
 //! all around its axis are met within its width.
 //!
