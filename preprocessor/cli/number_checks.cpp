@@ -34,7 +34,7 @@ CLI::Validator whole_number() {
         constexpr double exact = 9007199254740992.0;  // 2^53; larger ones must come in digits
         double number = 0.0;
         if (!CLI::detail::lexical_cast(text, number) || number != std::floor(number))
-          return fmt::format("'{}' is no whole number, such as 10000 or 1e4", text);
+          return fmt::format("'{}' is not a whole number, such as 10000 or 1e4", text);
         if (is_digits(text)) {
           // CLI11 reads digits after a leading zero as octal, and cuts what does not fit.
           text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));

@@ -150,7 +150,7 @@ TEST_F(Program, WholeNumbersMayHaveAnExponent) {
   for (const std::string number : {"10k", "1.5", "1e", "1e-3"}) {
     const Outcome outcome = run(build + path("none.data") + " --atoms " + number);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("--atoms: '" + number + "' is no whole number"));
+    EXPECT_THAT(outcome.err, HasSubstr("--atoms: '" + number + "' is not a whole number"));
   }
 }
 

@@ -87,7 +87,7 @@ TrivalentNetwork trivalent_network(const TriangleMesh& triangulation) {
     if (end > i + 1 && !paired)
       throw UserError(
           Failure::unsuitable,
-          fmt::format("the triangulation is no oriented 2-manifold at the edge between vertices {} "
+          fmt::format("the triangulation is not an oriented 2-manifold at the edge between vertices {} "
                       "and {}: {} triangles meet there. Repair the mesh first.",
                       sides[i].low, sides[i].high, end - i));
     if (paired) {

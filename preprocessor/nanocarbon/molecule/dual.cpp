@@ -96,7 +96,7 @@ void append_ring(const TriangleMesh& mesh, const Across& across, VertexIndex ver
   if (rings.atoms.size() - begin != valence)
     throw UserError(
         Failure::unsuitable,
-        fmt::format("the triangles at vertex {} form more than one fan, so it is no 2-manifold there",
+        fmt::format("the triangles at vertex {} form more than one fan, so it is not a 2-manifold there",
                     vertex));
   rings.offsets.push_back(static_cast<std::uint32_t>(rings.atoms.size()));
 }

@@ -155,7 +155,7 @@ void mirror(Molecule& molecule) {
 Molecule capped_tube(int n, int m, double length) {
   if (!(length > 0.0)) throw UserError(Failure::usage, "the length of a capped tube must be above zero");
   if (n < 0 || m < 0 || n > 10000 || m > 10000)
-    throw UserError(Failure::usage, fmt::format("({}, {}) is no tube: indices go from 0 to 10000", n, m));
+    throw UserError(Failure::usage, fmt::format("({}, {}) is not a tube: indices go from 0 to 10000", n, m));
   // Mirror images get mirrored caps.
   const TubeCap cap = tube_cap(std::max(n, m), std::min(n, m));
 

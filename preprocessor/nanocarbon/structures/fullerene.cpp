@@ -25,7 +25,7 @@ void check_indices(int h, int k) {
   if (h < 0 || k < 0 || (h == 0 && k == 0))
     throw UserError(
         Failure::usage,
-        fmt::format("({}, {}) is no fullerene: both indices must be 0 or more, not both 0", h, k));
+        fmt::format("({}, {}) is not a fullerene: both indices must be 0 or more, not both 0", h, k));
   if (20.0 * triangles_per_face(h, k) > 1e7)
     throw UserError(Failure::usage,
                     fmt::format("fullerene ({}, {}) would have {:.0f} atoms; the limit is 10 million", h, k,

@@ -81,7 +81,7 @@ class RolledSheet {
 void check_indices(int n, int m) {
   if (n < 0 || m < 0 || (n == 0 && m == 0))
     throw UserError(Failure::usage,
-                    fmt::format("({}, {}) is no tube: both indices must be 0 or more, not both 0", n, m));
+                    fmt::format("({}, {}) is not a tube: both indices must be 0 or more, not both 0", n, m));
   if (n > 10000 || m > 10000)
     throw UserError(Failure::usage, fmt::format("({}, {}) is too wide: indices go up to 10000", n, m));
   if (n * n + n * m + m * m < 9)

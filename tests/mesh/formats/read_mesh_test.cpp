@@ -44,7 +44,7 @@ TEST_F(ReadMesh, WhatCannotBeReadIsSaidSo) {
   EXPECT_THAT(unreadable(folder / "none.off"), HasSubstr("none.off: cannot be read: "));
   EXPECT_THAT(unreadable(folder / "no/folder.off"), HasSubstr("folder.off"));
   EXPECT_THAT(unreadable(folder.path()), HasSubstr("it is a directory"));
-  EXPECT_THAT(unreadable("/dev/null"), HasSubstr("no regular file"));
+  EXPECT_THAT(unreadable("/dev/null"), HasSubstr("not a regular file"));
 }
 
 TEST_F(ReadMesh, AForbiddenFileIsSaidSo) {

@@ -28,7 +28,7 @@ std::string file_contents(const std::filesystem::path& path) {
   if (!std::filesystem::exists(status)) fail(path, error ? error.message() : "there is no such file");
   if (std::filesystem::is_directory(status)) fail(path, "it is a directory; name a mesh file in it");
   const bool pipe = std::filesystem::is_fifo(status);
-  if (!std::filesystem::is_regular_file(status) && !pipe) fail(path, "it is no regular file");
+  if (!std::filesystem::is_regular_file(status) && !pipe) fail(path, "it is not a regular file");
 
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
