@@ -52,9 +52,9 @@ def mean_edge(mesh):
 
 
 def build(prefix, mesh, options):
-    """nanocarbon build: its report, with the CPU seconds under "cpu". Raises Failed."""
+    """nanocarbon build on one core: its report, with the CPU seconds under "cpu". Raises Failed."""
     done = call(f"{prefix}-build", [PROGRAM, "build", mesh, "-o", f"{prefix}.data", "--report", f"{prefix}.report",
-                                    "--quiet", *options], [mesh])
+                                    "--quiet", "--threads", "1", *options], [mesh])
     if done["exit"] != 0:
         raise Failed(f"exit {done['exit']}: " + done["text"].strip().split("error: ")[-1])
     report = json.loads(pathlib.Path(f"{prefix}.report").read_text())

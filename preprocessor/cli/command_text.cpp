@@ -6,6 +6,9 @@
 namespace nanocarbon::cli {
 namespace {
 
+// Outputs tell the command that made them. How many threads it had is not said: it does not change them.
+constexpr const char* changes_no_output = "--threads";
+
 std::string quoted(const std::string& word) {
   const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
     return std::isalnum(c) || std::string("-_./+=:,@%").find(static_cast<char>(c)) != std::string::npos;
@@ -16,6 +19,7 @@ std::string quoted(const std::string& word) {
 void append_options(std::string& text, const CLI::App& command, bool positional) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || option->get_positional() != positional) continue;
+    if (option->get_name() == changes_no_output) continue;
     if (!positional) text += " " + option->get_name();
     if (positional || option->get_items_expected_max() > 0)
       for (const std::string& word : option->results()) text += " " + quoted(word);

@@ -6,11 +6,14 @@
 
 namespace nanocarbon::cli {
 
+//! The cores that this process may run on, which can be fewer than the machine has; at least 1.
+unsigned available_cores();
+
 //! What every long-running subcommand takes.
 struct CommonOptions {
-  bool quiet = false;      //!< no progress, no table
-  unsigned threads = 1;    //!< threads to use; same seed and threads: same bytes out
-  std::uint64_t seed = 1;  //!< of everything random
+  bool quiet = false;                    //!< no progress, no table
+  unsigned threads = available_cores();  //!< to use; the outputs do not depend on it
+  std::uint64_t seed = 1;                //!< of everything random
 };
 
 //! Adds --quiet, --threads and --seed. \p options must outlive the app.

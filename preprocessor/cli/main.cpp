@@ -43,6 +43,10 @@ int run(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("nanocarbon: error: {}\nRun with --help for more information.\n", error.what());
   });
+  if (argc < 2) {
+    fmt::print("{}", app.help());
+    return 0;
+  }
   require_known_subcommand(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 
 namespace nanocarbon::cli {
 namespace {
@@ -321,17 +322,48 @@ TEST_F(Program, SameInputAndSeedGiveTheSameBytes) {
   EXPECT_GT(body("a.xyz").size(), 1000u);
 }
 
+TEST_F(Program, PrintsItsHelpWhenNothingIsAskedOfIt) {
+  const Outcome outcome = run("");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, run("--help").out);
+  for (const char* subcommand : {"inspect", "build", "make", "energy"})
+    EXPECT_THAT(outcome.out, HasSubstr(subcommand));
+}
+
+// A closed and an open molecule that are annealed, and the thesis's recipe, which uses threads from 20,000
+// points on.
+TEST_F(Program, TheNumberOfThreadsChangesNoByte) {
+  const std::string cup = file("cup.off",
+                               "OFF\n6 6 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
+                               "3 2 1 4\n3 1 3 4\n3 3 0 4\n3 1 2 5\n3 3 1 5\n3 0 3 5\n");
+  for (const std::string& options : {octahedron() + " --atoms 200", cup + " --atoms 300 --quality good",
+                                     octahedron() + " --atoms 41000 --recipe thesis --iterations 2"}) {
+    std::string first;
+    for (const std::string threads : {" --threads 1", " --threads 2", " --threads 3", ""}) {
+      const Outcome outcome = run("build " + options + threads + " -q -o " + path("out.data") + " --xyz " +
+                                  path("out.xyz") + " --mesh " + path("out.ply"));
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      const std::string all =
+          contents(path("out.data")) + contents(path("out.xyz")) + contents(path("out.ply"));
+      ASSERT_GT(all.size(), 10000u);
+      if (first.empty()) first = all;
+      EXPECT_TRUE(all == first) << options << threads;
+    }
+  }
+}
+
 // OpenMP's threads introduce themselves; without being told it would take as many as there are cores.
 TEST_F(Program, UsesAsManyThreadsAsItIsAllowed) {
   setenv("OMP_DISPLAY_AFFINITY", "TRUE", 1);
   setenv("OMP_AFFINITY_FORMAT", "openmp thread %n", 1);
   const std::string build =
       "build " + octahedron() + " --atoms 100 --quality draft -q -o " + path("out.data");
-  const Outcome one = run(build + " --threads 1"), two = run(build + " --threads 2");
+  const Outcome one = run(build + " --threads 1"), two = run(build + " --threads 2"), all = run(build);
   unsetenv("OMP_DISPLAY_AFFINITY");
   unsetenv("OMP_AFFINITY_FORMAT");
   EXPECT_THAT(two.err, HasSubstr("openmp thread 1"));
   EXPECT_THAT(one.err, testing::Not(HasSubstr("openmp thread 1")));
+  if (std::thread::hardware_concurrency() > 1) EXPECT_THAT(all.err, HasSubstr("openmp thread 1"));
 }
 
 TEST_F(Program, QuietPrintsNothing) {

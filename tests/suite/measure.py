@@ -97,10 +97,10 @@ def facts_of(report):
 
 
 def build(args, mesh, prefix, atoms):
-    """Exit code, CPU seconds, and what the program said."""
+    """On one core: exit code, CPU seconds, and what the program said."""
     screen = pathlib.Path(f"{prefix}.build")
     code, seconds = run(args, [args.build / "preprocessor/cli/nanocarbon", "build", mesh, "-o", f"{prefix}.data",
-                               "--quiet", "--report", f"{prefix}.json", "--atoms", atoms, *args.options], screen)
+                               "--quiet", "--threads", "1", "--report", f"{prefix}.json", "--atoms", atoms, *args.options], screen)
     said = screen.read_text(errors="replace").strip()
     reason = said.splitlines()[-1] if said else "no message"
     return code, seconds, reason.replace("nanocarbon: ", "").replace(f"{mesh}: ", "")
