@@ -47,7 +47,13 @@ set(NANOCARBON_PUBLIC_HEADERS
   molecule/molecule.h
   molecule/molecule_graph.h
   molecule/ring_mesh.h
+  potential/airebo/airebo.h
+  potential/airebo/energy_parts.h
+  potential/airebo/lj/lj_parameters.h
+  potential/airebo/parameter_file.h
+  potential/airebo/parameters.h
   potential/potential.h
+  potential/rebo2/coordination_tables.h
   potential/rebo2/energy_parts.h
   potential/rebo2/parameter_file.h
   potential/rebo2/parameters.h

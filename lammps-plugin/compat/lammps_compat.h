@@ -33,6 +33,18 @@ void request_full_list(Neighbor& neighbor, Style* style, int instance, bool ghos
   }
 }
 
+//! \brief Asks for a half neighbour list of the pair style's cut-off, each pair once, at every reneighbouring.
+//! \param id what the style's init_list() is given with the list
+template <typename Neighbor, typename Style>
+void request_half_list(Neighbor& neighbor, Style* style, int instance, int id) {
+  if constexpr (requires { neighbor.add_request(style); })
+    neighbor.add_request(style)->set_id(id);
+  else {
+    const int index = neighbor.request(style, instance);
+    neighbor.requests[index]->id = id;
+  }
+}
+
 //! Carries a fix's per-atom values from owners to ghost atoms, by its pack_forward_comm and
 //! unpack_forward_comm.
 template <typename Comm, typename Fix>

@@ -4,6 +4,7 @@
 #include "fix_bond_topology.h"
 #include "lammps_version.h"
 #include "pair.h"
+#include "pair_airebo_opt.h"
 #include "pair_rebo_opt.h"
 
 using LAMMPS_NS::Fix;
@@ -43,6 +44,8 @@ std::span<const PluginStyle> plugin_styles() {
   static constexpr PluginStyle table[] = {
       fix_style<FixBondTopology>("bond/topology",
                                  "fix bond/topology: bonds, rings and repelled atoms of sp2 carbon"),
+      pair_style<PairAireboOpt>("airebo/opt", "pair airebo/opt: AIREBO for carbon and hydrogen, fast"),
+      pair_style<PairAireboMorseOpt>("airebo/morse/opt", "pair airebo/morse/opt: AIREBO-M, fast"),
       pair_style<PairReboOpt>("rebo/opt", "pair rebo/opt: REBO2 for carbon and hydrogen, fast"),
   };
   return table;

@@ -66,12 +66,15 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
        {"hauck2015", building::Recipe::hauck2015}},
       "annealed (default; needs no parameters), thesis (adaptive remeshing, then the dual), or the thesis's "
       "forerunners pecanha2013, hauck2014, hauck2015");
+  add_choice(*group, "--potential", c.build.potential,
+             {{"rebo2", building::PotentialChoice::rebo2},
+              {"airebo", building::PotentialChoice::airebo},
+              {"airebo-m", building::PotentialChoice::airebo_m}},
+             "Potential of the last minimisation and the checks: rebo2 (default), airebo or airebo-m");
   add_choice(*group, "--quality", c.build.quality,
              {{"draft", Quality::draft}, {"good", Quality::good}, {"best", Quality::best}},
              "Time spent on low energy: draft, good (default) or best");
-  group
-      ->add_option("--bond-length", c.build.bond_length,
-                   "Bond length used to compute the size, Angstrom")
+  group->add_option("--bond-length", c.build.bond_length, "Bond length used to compute the size, Angstrom")
       ->check(between(1.0, 2.0))
       ->capture_default_str();
   group

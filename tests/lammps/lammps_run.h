@@ -61,6 +61,8 @@ class SharedFolder {
 
 //! The path of LAMMPS's CH.rebo.
 std::string rebo_parameters();
+//! The path of the file that pair_style rebo, airebo or airebo/morse (with or without /opt) wants.
+std::string potential_file(const std::string& style);
 
 bool is_root();
 int ranks();

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <initializer_list>
 #include <stdexcept>
@@ -98,31 +99,42 @@ void LammpsReference::place(std::span<const Vec3> positions, std::span<const Ele
 }
 
 void LammpsReference::potential(const std::string& style) {
-  command("pair_style " + style + "\npair_coeff * * " NANOCARBON_CH_REBO " C H");
+  style_ = style.substr(0, style.find(' '));
+  // All of them stand in one folder.
+  std::string file = NANOCARBON_CH_REBO;
+  if (style_.starts_with("airebo"))
+    file.replace(file.rfind("CH."), std::string::npos,
+                 style_.starts_with("airebo/morse") ? "CH.airebo-m" : "CH.airebo");
+  command("pair_style " + style + "\npair_coeff * * " + file + " C H");
 }
 
-LammpsEnergy LammpsReference::evaluate(bool atom_virials) {
+LammpsEnergy LammpsReference::evaluate(bool atom_virials, bool atom_energies) {
   command(
       "neighbor 0.5 bin\nvariable pe equal pe\ncompute virial all pressure NULL virial\n"
-      "compute peatom all pe/atom\ncompute sum_e all reduce sum c_peatom");
+      "compute parts all pair " +
+      style_);
+  if (atom_energies) command("compute peatom all pe/atom\ncompute sum_e all reduce sum c_peatom");
   if (atom_virials)
     command("compute stress all stress/atom NULL pair\ncompute sum_s all reduce sum c_stress[1]");
   // Only what the thermodynamic output asks for is up to date after a run.
-  command(std::string("thermo_style custom step pe c_virial[1] c_sum_e ") + (atom_virials ? "c_sum_s" : "") +
-          "\nrun 0");
+  command(std::string("thermo_style custom step pe c_virial[1] c_parts[1]") +
+          (atom_energies ? " c_sum_e" : "") + (atom_virials ? " c_sum_s" : "") + "\nrun 0");
   LammpsEnergy result;
   result.energy = *static_cast<double*>(lammps_extract_variable(lammps_, "pe", nullptr));
   const double to_ev = volume_ / *static_cast<double*>(lammps_extract_global(lammps_, "nktv2p"));
   const auto* pressure = static_cast<double*>(lammps_extract_compute(lammps_, "virial", 0, 1));
   result.virial = to_ev * symmetric(pressure);
+  const auto* parts = static_cast<double*>(lammps_extract_compute(lammps_, "parts", 0, 1));
+  std::copy_n(parts, 3, result.parts.begin());
   std::vector<double> forces(3 * atoms_);
   lammps_gather_atoms(lammps_, const_cast<char*>("f"), 1, 3, forces.data());
   const auto* tags = static_cast<int*>(lammps_extract_atom(lammps_, "id"));
-  const auto* energies = static_cast<double*>(lammps_extract_compute(lammps_, "peatom", 1, 1));
-  result.atom_energies.resize(atoms_);
-  for (std::size_t i = 0; i < atoms_; ++i) {
+  for (std::size_t i = 0; i < atoms_; ++i)
     result.forces.emplace_back(forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]);
-    result.atom_energies[tags[i] - 1] = energies[i];
+  if (atom_energies) {
+    const auto* energies = static_cast<double*>(lammps_extract_compute(lammps_, "peatom", 1, 1));
+    result.atom_energies.resize(atoms_);
+    for (std::size_t i = 0; i < atoms_; ++i) result.atom_energies[tags[i] - 1] = energies[i];
   }
   if (atom_virials) {
     const double unit = 1.0 / *static_cast<double*>(lammps_extract_global(lammps_, "nktv2p"));

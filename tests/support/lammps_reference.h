@@ -20,6 +20,7 @@ struct LammpsEnergy {
   Mat3 virial;  //!< pressure times volume, eV
   std::vector<double> atom_energies;
   std::vector<Mat3> atom_virials;  //!< minus compute stress/atom, eV
+  std::array<double, 3> parts = {};  //!< compute pair: of REBO, Lennard-Jones (or Morse) and torsion, eV
 };
 
 //! A LAMMPS on this rank alone that evaluates structures, with the plugin loaded if asked for.
@@ -36,11 +37,12 @@ class LammpsReference {
   //! Forgets everything and puts these atoms into a cell, or into a large box without periodicity; types C,
   //! H.
   void place(std::span<const Vec3> positions, std::span<const Element> elements, const Cell* cell);
-  //! `pair_style <style>` with CH.rebo.
+  //! `pair_style <style>` with CH.rebo, CH.airebo or CH.airebo-m, as the style needs.
   void potential(const std::string& style);
   //! Energy and derivatives of the atoms where they are.
   //! \param atom_virials also those (they make rebo slower)
-  LammpsEnergy evaluate(bool atom_virials = true);
+  //! \param atom_energies also those
+  LammpsEnergy evaluate(bool atom_virials = true, bool atom_energies = true);
   //! The current positions, by atom.
   std::vector<Vec3> positions();
   double variable(const std::string& expression);
@@ -48,6 +50,7 @@ class LammpsReference {
  private:
   void* lammps_;
   bool with_plugin_;
+  std::string style_;
   std::size_t atoms_ = 0;
   double volume_ = 0.0;
 };

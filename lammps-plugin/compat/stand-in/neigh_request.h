@@ -32,6 +32,7 @@ class NeighRequest : protected Pointers {
   void enable_full();
   void enable_ghost();
   void set_cutoff(double);
+  void set_id(int);
 };
 
 }  // namespace LAMMPS_NS

@@ -166,6 +166,11 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
   if (!options.force) require_room_for_features(result, options);
   const std::unique_ptr<potential::Potential> potential = make_potential(options.potential);
+  if (options.certify && potential->unbonded_reach() > 0)
+    throw UserError(Failure::usage,
+                    fmt::format("--certify knows potentials of bonds alone, not {}; take --potential "
+                                "rebo2, or leave it out",
+                                potential->name()));
   const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
     Stopwatch crystal;
     crystal::CrystalOptions wanted{

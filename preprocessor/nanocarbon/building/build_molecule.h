@@ -39,7 +39,8 @@ struct BuildOptions {
   Quality quality = Quality::good;
   std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: anneal_recipe.h
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
-  bool certify = false;           //!< prove that the molecule is at a minimum (certificate.h)
+  //! Prove that the molecule is at a minimum (certificate.h); only with potentials of bonds alone.
+  bool certify = false;
   //! @}
   //! Go on where the shape asks for more atoms, keep a molecule that does not hold or has lost the shape.
   //! (The program also takes one that is not shown to be at a minimum.)

@@ -13,6 +13,7 @@
 #include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/molecule/bond_statistics.h"
+#include "nanocarbon/potential/rebo2/parameters.h"
 
 namespace nanocarbon::building {
 namespace {
@@ -98,12 +99,11 @@ Json thesis_json(const thesis::ThesisResult& r) {
           {"history", {{"columns", {"edges", "short", "long"}}, {"rows", std::move(history)}}}};
 }
 
-Json annealed_json(const AnnealResult& r) {
-  constexpr double graphene =
-      -7.3949972517;  // eV an atom: REBO2, minimised, as LAMMPS's pair_style rebo has it
+// \param graphene energy of an atom of it by the potential of the last minimisation, eV
+Json annealed_json(const AnnealResult& r, double graphene) {
   return {{"energy_per_atom", r.energy},
           {"above_graphene", r.energy - graphene},
-          {"above_graphene_unannealed", r.unannealed_energy - graphene},
+          {"above_graphene_unannealed", r.unannealed_energy - rebo2::graphene_energy},
           {"max_force", r.max_force},
           {"closest_unbonded", r.closest_unbonded},
           {"rebo2_sees_these_bonds", r.intact},
@@ -120,7 +120,8 @@ Json options_json(const BuildResult& result, const BuildOptions& o) {
   Json json = {{"recipe", name(o.recipe)}, {"atoms_aimed_at", result.surface.atoms}};
   if (result.annealed) {
     constexpr const char* qualities[] = {"draft", "good", "best"};
-    json.update({{"quality", qualities[static_cast<int>(o.quality)]},
+    json.update({{"potential", name(o.potential)},
+                 {"quality", qualities[static_cast<int>(o.quality)]},
                  {"bond_length", o.bond_length},
                  {"tether", tether_of(o)},
                  {"force_tolerance", o.force_tolerance}});
@@ -174,7 +175,9 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
                                molecule.positions, mesh::NearestPoint(result.surface.mesh)))},
       {"surface_to_triangulation", distance_json(triangulation.back)},
       {"triangulation_to_surface", distance_json(triangulation.there)}};
-  if (result.annealed) report["annealing"] = annealed_json(*result.annealed);
+  if (result.annealed)
+    report["annealing"] =
+        annealed_json(*result.annealed, make_potential(options.potential)->graphene_energy());
   if (result.certificate) report["certificate"] = certificate_json(*result.certificate);
   if (result.thesis) report["remeshing"] = thesis_json(*result.thesis);
   report["seconds"] = {{"remeshing", result.seconds.remeshing},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/potential_choice.h"
 
+#include "nanocarbon/potential/airebo/airebo.h"
 #include "nanocarbon/potential/rebo2/rebo2.h"
 
 namespace nanocarbon::building {
@@ -8,13 +9,21 @@ namespace nanocarbon::building {
 std::string_view name(PotentialChoice choice) {
   switch (choice) {
     case PotentialChoice::rebo2:
-      break;
+      return "rebo2";
+    case PotentialChoice::airebo:
+      return "airebo";
+    case PotentialChoice::airebo_m:
+      return "airebo-m";
   }
-  return "rebo2";
+  return "";
 }
 
 std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice) {
   switch (choice) {
+    case PotentialChoice::airebo:
+      return std::make_unique<airebo::Airebo>(airebo::airebo_parameters());
+    case PotentialChoice::airebo_m:
+      return std::make_unique<airebo::Airebo>(airebo::airebo_m_parameters());
     case PotentialChoice::rebo2:
       break;
   }

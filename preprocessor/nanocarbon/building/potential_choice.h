@@ -9,7 +9,11 @@
 
 namespace nanocarbon::building {
 
-enum class PotentialChoice { rebo2 };
+enum class PotentialChoice {
+  rebo2,    //!< Brenner et al. 2002: bonds only; sheets do not feel each other beyond 2 Angstrom
+  airebo,   //!< Stuart et al. 2000: with Lennard-Jones and torsion terms
+  airebo_m  //!< O'Connor et al. 2015: with Morse instead of Lennard-Jones terms
+};
 
 //! The potential's name on the command line and in reports.
 std::string_view name(PotentialChoice choice);

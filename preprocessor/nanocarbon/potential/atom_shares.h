@@ -20,6 +20,12 @@ struct AtomShares {
   double* energies = nullptr;  //!< eV, one for each atom, or nothing
   Virial* virials = nullptr;   //!< eV, one for each atom, or nothing
 
+  template <std::size_t n>
+  void add_energy(const std::array<std::uint32_t, n>& atoms, double energy) const {
+    if (!energies) return;
+    for (const std::uint32_t atom : atoms) energies[atom] += energy / n;
+  }
+
   void add_bond_energy(std::uint32_t i, std::uint32_t j, double energy) const {
     if (!energies) return;
     energies[i] += 0.5 * energy;

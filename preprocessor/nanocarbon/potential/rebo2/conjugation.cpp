@@ -52,53 +52,63 @@ void add_end_derivatives(HalfEdges& edges, const Centre& end, std::uint32_t othe
 
 }  // namespace
 
+WholeBondOrder whole_bond_order(HalfEdges& edges, const Centre& i, const HalfEdge& ij, const Centre& j,
+                                const Model& model) {
+  WholeBondOrder order = {};
+  const double sum_i = conjugation_sum(edges, i, j.atom, model);
+  const double sum_j = conjugation_sum(edges, j, i.atom, model);
+  order.conjugation_sums = {sum_i, sum_j};
+  const double n_ij = i.coordination() - ij.weight;
+  const double n_ji = j.coordination() - ij.weight;
+  const double n_conj = 1.0 + sum_i * sum_i + sum_j * sum_j;
+  order.pi = model.tables.f(i.element, j.element).evaluate(n_ij, n_ji, n_conj);
+  if (i.element == Element::carbon && j.element == Element::carbon) {
+    order.torsion = model.tables.t_cc.evaluate(n_ij, n_ji, n_conj);
+    if (std::abs(order.torsion.value) <= negligible) order.torsion = {0.0, {0.0, 0.0, 0.0}};
+  }
+  order.dihedrals = order.torsion.value != 0.0 ? dihedral_sum(edges, i, ij, j, model) : 0.0;
+  for (int d = 0; d < 3; ++d) order.slope[d] = order.pi.slope[d] + order.torsion.slope[d] * order.dihedrals;
+  return order;
+}
+
+void add_whole_bond_order_derivatives(HalfEdges& edges, const Centre& i, HalfEdge& ij, const Centre& j,
+                                      const WholeBondOrder& order, double strength, const Model& model,
+                                      const potential::AtomShares& shares) {
+  if (!order.flat()) {
+    const auto& [by_i, by_j, by_conj] = order.slope;
+    const auto& [sum_i, sum_j] = order.conjugation_sums;
+    add_end_derivatives(edges, i, j.atom, strength * by_i, strength * by_conj * 2.0 * sum_i, model, shares);
+    add_end_derivatives(edges, j, i.atom, strength * by_j, strength * by_conj * 2.0 * sum_j, model, shares);
+  }
+  if (order.torsion.value != 0.0)
+    add_dihedral_derivatives(edges, i, ij, j, model, strength * order.torsion.value, shares);
+}
+
 EnergyParts add_bond_terms(HalfEdges& edges, const Centre& i, HalfEdge& ij, const Model& model, double share,
                            const potential::AtomShares& shares) {
   EnergyParts energy;
   if (ij.weight <= negligible) return energy;
-  const bool carbons = i.element == Element::carbon && ij.element == Element::carbon;
-  if (model.torsion && carbons)
+  if (model.torsion && i.element == Element::carbon && ij.element == Element::carbon)
     energy.torsion = add_torsion_energy(edges, i, ij, *model.torsion, share, shares);
   const Centre& j = edges.centre(ij.to);
-  const double sum_i = conjugation_sum(edges, i, j.atom, model);
-  const double sum_j = conjugation_sum(edges, j, i.atom, model);
-  const double n_ij = i.coordination() - ij.weight;
-  const double n_ji = j.coordination() - ij.weight;
-  const double n_conj = 1.0 + sum_i * sum_i + sum_j * sum_j;
-  const TricubicValue pi = model.tables.f(i.element, j.element).evaluate(n_ij, n_ji, n_conj);
-  TricubicValue torsion = {0.0, {0.0, 0.0, 0.0}};
-  if (carbons) {
-    torsion = model.tables.t_cc.evaluate(n_ij, n_ji, n_conj);
-    if (std::abs(torsion.value) <= negligible) torsion = {0.0, {0.0, 0.0, 0.0}};
-  }
-  const double sum = torsion.value != 0.0 ? dihedral_sum(edges, i, ij, j, model) : 0.0;
-  const double order = pi.value + torsion.value * sum;
-  std::array<double, 3> slope;
-  for (int d = 0; d < 3; ++d) slope[d] = pi.slope[d] + torsion.slope[d] * sum;
-  const bool flat = slope[0] == 0.0 && slope[1] == 0.0 && slope[2] == 0.0;
-  if (order == 0.0 && torsion.value == 0.0 && flat) return energy;
+  const WholeBondOrder order = whole_bond_order(edges, i, ij, j, model);
+  const double value = order.value();
+  if (value == 0.0 && order.torsion.value == 0.0 && order.flat()) return energy;
 
   const PairParameters& pair = model.parameters.pairs[pair_index(i.element, j.element)];
   const ValueSlope attraction = pair_attraction(pair, ij.length);
   const double strength = share * ij.weight * attraction.value;
-  energy.conjugation = strength * pi.value;
-  energy.dihedral = strength * torsion.value * sum;
-  shares.add_bond_energy(i.atom, j.atom, strength * order);
+  energy.conjugation = strength * order.pi.value;
+  energy.dihedral = strength * order.torsion.value * order.dihedrals;
+  shares.add_bond_energy(i.atom, j.atom, strength * value);
 
-  const double by_length = share * ij.weight * attraction.slope * order;
-  const double by_weight = share * attraction.value * order;
+  const double by_length = share * ij.weight * attraction.slope * value;
+  const double by_weight = share * attraction.value * value;
   ij.by_length += by_length;
   ij.by_weight += by_weight;
   if (shares.virials)
     shares.add_virial<2>({i.atom, j.atom}, ij, (by_length + by_weight * ij.weight_slope) * ij.direction);
-  if (!flat) {
-    add_end_derivatives(edges, i, j.atom, strength * slope[0], strength * slope[2] * 2.0 * sum_i, model,
-                        shares);
-    add_end_derivatives(edges, j, i.atom, strength * slope[1], strength * slope[2] * 2.0 * sum_j, model,
-                        shares);
-  }
-  if (torsion.value != 0.0)
-    add_dihedral_derivatives(edges, i, ij, j, model, strength * torsion.value, shares);
+  add_whole_bond_order_derivatives(edges, i, ij, j, order, strength, model, shares);
   return energy;
 }
 

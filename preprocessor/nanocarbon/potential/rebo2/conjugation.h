@@ -5,6 +5,29 @@
 
 namespace nanocarbon::rebo2 {
 
+//! pi_RC + T S of a bond, and what its derivatives need.
+struct WholeBondOrder {
+  TricubicValue pi;
+  TricubicValue torsion;                   //!< zero where LAMMPS drops it
+  double dihedrals;                        //!< S
+  std::array<double, 2> conjugation_sums;  //!< whose squares enter N_conj, by end
+  std::array<double, 3> slope;             //!< by N_ij, N_ji and N_conj
+
+  double value() const { return pi.value + torsion.value * dihedrals; }
+  bool flat() const { return slope[0] == 0.0 && slope[1] == 0.0 && slope[2] == 0.0; }
+};
+
+//! \brief Evaluates it.
+//! \param ij a bond between the centres i and j, or a hypothetical one with the weight that their sums hold
+//! of it
+WholeBondOrder whole_bond_order(HalfEdges& edges, const Centre& i, const HalfEdge& ij, const Centre& j,
+                                const Model& model);
+
+//! Adds the derivatives of strength (eV) times the value.
+void add_whole_bond_order_derivatives(HalfEdges& edges, const Centre& i, HalfEdge& ij, const Centre& j,
+                                      const WholeBondOrder& order, double strength, const Model& model,
+                                      const potential::AtomShares& shares);
+
 //! \brief The terms of a bond as a whole: w V_A (pi_RC + T S), and the torsion energy if the model has it.
 //! \details pi_RC = F(N_ij, N_ji, N_conj) (Brenner et al. 2002, equation 13), for C-C bonds also T(...) times
 //! the sum over dihedrals. N_conj = 1 + (sum over carbons k of w_ik F(N_k - w_ik))^2 + the same for j

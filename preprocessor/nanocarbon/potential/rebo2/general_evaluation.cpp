@@ -5,33 +5,25 @@
 
 namespace nanocarbon::rebo2 {
 
-namespace {
-
-//! The bonds of the own atoms, their neighbours and the neighbours' neighbours: all that own terms depend on.
-void collect(const potential::AtomsView& atoms, const potential::NearPairs& near, const Model& model,
-             HalfEdges& edges) {
+void collect_bonds(const potential::AtomsView& atoms, const potential::NearPairs& near,
+                   const Rebo2Parameters& parameters, HalfEdges& edges) {
   edges.clear(atoms.all);
-  for (std::uint32_t i = 0; i < atoms.own; ++i) edges.add(i, atoms, near, model.parameters);
+  for (std::uint32_t i = 0; i < atoms.own; ++i) edges.add(i, atoms, near, parameters);
   for (std::uint32_t i = 0; i < atoms.own; ++i) {
     const Centre centre = edges.centre(i);
     for (std::uint32_t a = 0; a < centre.count; ++a) {
       const std::uint32_t j = edges.of(centre)[a].to;
       if (j < atoms.own) continue;
-      edges.add(j, atoms, near, model.parameters);
+      edges.add(j, atoms, near, parameters);
       const Centre copy = edges.centre(j);
-      for (std::uint32_t b = 0; b < copy.count; ++b)
-        edges.add(edges.of(copy)[b].to, atoms, near, model.parameters);
+      for (std::uint32_t b = 0; b < copy.count; ++b) edges.add(edges.of(copy)[b].to, atoms, near, parameters);
     }
   }
 }
 
-}  // namespace
-
-EnergyParts evaluate_general(const potential::AtomsView& atoms, const potential::NearPairs& near,
-                             const Model& model, GeneralWorkspace& workspace, double* forces,
-                             const potential::AtomShares& shares) {
+EnergyParts add_general_terms(const potential::AtomsView& atoms, const Model& model,
+                              GeneralWorkspace& workspace, const potential::AtomShares& shares) {
   HalfEdges& edges = workspace.edges;
-  collect(atoms, near, model, edges);
   EnergyParts energy;
   for (std::uint32_t i = 0; i < atoms.own; ++i)
     energy += add_centre_terms(edges, edges.centre(i), model, workspace.angles, shares);
@@ -43,7 +35,15 @@ EnergyParts evaluate_general(const potential::AtomsView& atoms, const potential:
       energy += add_bond_terms(edges, centre, ij, model, share, shares);
     }
   }
-  edges.add_forces(forces);
+  return energy;
+}
+
+EnergyParts evaluate_general(const potential::AtomsView& atoms, const potential::NearPairs& near,
+                             const Model& model, GeneralWorkspace& workspace, double* forces,
+                             const potential::AtomShares& shares) {
+  collect_bonds(atoms, near, model.parameters, workspace.edges);
+  const EnergyParts energy = add_general_terms(atoms, model, workspace, shares);
+  workspace.edges.add_forces(forces);
   return energy;
 }
 

@@ -62,6 +62,8 @@ class HalfEdges {
   double coordination(std::uint32_t atom) const { return has(atom) ? centre(atom).coordination() : 3.0; }
   const Centre& centre(std::uint32_t atom) const { return centres_[place_[atom]]; }
   std::span<HalfEdge> of(const Centre& centre) { return {edges_.data() + centre.first, centre.count}; }
+  //! By its number, which stays good when centres are added: Centre::first plus its place among the bonds.
+  HalfEdge& operator[](std::uint32_t edge) { return edges_[edge]; }
 
   //! Adds the forces that the derivatives amount to; forces has x, y, z of every atom.
   void add_forces(double* forces) const;

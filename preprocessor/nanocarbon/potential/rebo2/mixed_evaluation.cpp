@@ -243,7 +243,7 @@ EnergyParts MixedEvaluation::run_fast_loops(const Sp2Data& data) {
 EnergyParts MixedEvaluation::evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near,
                                       double* forces, const potential::AtomShares& shares,
                                       bool general_only) {
-  if (general_only || !fast_applies_ || shares.virials) {
+  if (general_only || !fast_applies_ || shares.virials || (torsion_ && shares.energies)) {
     general_own_ = atoms.own;
     const Model model(parameters_, torsion_ ? &*torsion_ : nullptr);
     return evaluate_general(atoms, near, model, workspace_, forces, shares);

@@ -30,7 +30,8 @@ class MixedEvaluation {
   void near_changed() { blocks_are_good_ = false; }
 
   //! \brief Arguments and result as of evaluate_general(), with the torsion energy if there is one.
-  //! \details Virials of single atoms are shared out term by term, so they come from the general terms alone.
+  //! \details Virials of single atoms are shared out term by term, so they come from the general terms alone;
+  //! so do energies of single atoms with a torsion energy.
   EnergyParts evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near, double* forces,
                        const potential::AtomShares& shares, bool general_only = false);
 
@@ -49,7 +50,7 @@ class MixedEvaluation {
   Sp2Modifiers* modifiers_of(std::uint32_t place);
   void reset_modifiers();
   void flag_general(std::uint32_t atom);
-  //! Atoms that are not candidates, and candidates with a fourth neighbour.
+  //! Atoms that are no candidates, and candidates with a fourth neighbour.
   void find_crowded_atoms(const potential::AtomsView& atoms, const potential::NearPairs& near);
   void switch_off(std::uint32_t atom);
   void switch_off_bond(std::uint32_t fast, std::uint32_t general);

@@ -26,6 +26,11 @@ struct PairParameters {
   double equilibrium;                      //!< rho in lambda of angles at hydrogen, Angstrom
 };
 
+//! The strengths of AIREBO's torsion energy, eV, by pair_index() of the elements of a dihedral's ends.
+struct TorsionBarriers {
+  std::array<double, 3> barriers;  //!< C-CC-C, C-CC-H, H-CC-H
+};
+
 //! A quintic in cos(theta): coefficients of ascending powers.
 using Quintic = std::array<double, 6>;
 

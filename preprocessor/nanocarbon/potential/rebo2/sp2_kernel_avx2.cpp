@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Compiled with the options for AVX2 and FMA; empty where the compiler does not make these instructions.
-#include "nanocarbon/potential/rebo2/sp2_kernels.h"
+#include "nanocarbon/potential/rebo2/sp2_kernel.h"
 
 #if defined(__AVX2__) && defined(__FMA__)
 #include <immintrin.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Compiled with the options for AVX-512; empty where the compiler does not make these instructions.
-#include "nanocarbon/potential/rebo2/sp2_kernels.h"
+#include "nanocarbon/potential/rebo2/sp2_kernel.h"
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #include <immintrin.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "nanocarbon/potential/rebo2/sp2_kernels.h"
+#include "nanocarbon/potential/rebo2/sp2_kernel.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

@@ -28,13 +28,15 @@ double add_torsion_energy(HalfEdges& edges, const Centre& i, HalfEdge& ij, const
       [&](const DihedralArm& k, HalfEdge& ik, const DihedralArm& l, HalfEdge& jl, double cosine) {
         const double strength = share * barriers.barriers[pair_index(ik.element, jl.element)];
         const ValueSlope f = torsion(cosine);
-        sum += strength * f.value * k.factor() * l.factor();
+        const double by_weight = strength * f.value * k.factor() * l.factor();
+        sum += by_weight;
+        const std::array<std::uint32_t, 4> atoms = {ik.to, i.atom, ij.to, jl.to};
+        shares.add_energy(atoms, ij.weight * by_weight);
+        if (shares.virials) shares.add_virial(atoms, ij, by_weight * ij.weight_slope * ij.direction);
         const double scale = ij.weight * strength;
         add_dihedral_slopes(i, ij, k, ik, l, jl, cosine, {scale * f.value, scale * f.slope}, shares);
       });
   ij.by_weight += sum;
-  if (shares.virials) shares.add_virial<2>({i.atom, ij.to}, ij, sum * ij.weight_slope * ij.direction);
-  shares.add_bond_energy(i.atom, ij.to, ij.weight * sum);
   return ij.weight * sum;
 }
 

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pair_bond_order.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "atom.h"
+#include "compat/lammps_compat.h"
+#include "force.h"
+#include "memory.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "update.h"
+#include "utils.h"
+
+using namespace LAMMPS_NS;
+
+namespace nanocarbon {
+
+PairBondOrder::PairBondOrder(LAMMPS* lammps, std::string style) : Pair(lammps), style_(std::move(style)) {
+  single_enable = 0;
+  restartinfo = 0;
+  one_coeff = 1;
+  manybody_flag = 1;
+  ghostneigh = 1;
+  centroidstressflag = CENTROID_NOTAVAIL;
+  // As of rebo and airebo: the REBO energy, that of Lennard-Jones or Morse, and that of torsion.
+  nextra = 3;
+  pvector = new double[3]{};
+}
+
+PairBondOrder::~PairBondOrder() {
+  delete[] pvector;
+  if (!allocated) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+  memory->destroy(cutghost);
+}
+
+void PairBondOrder::stop(const std::string& message) const {
+  error->all(FLERR, message);
+  std::abort();  // not reached; older headers do not say so
+}
+
+void PairBondOrder::allocate() {
+  allocated = 1;
+  const int n = atom->ntypes + 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  memory->create(cutghost, n, n, "pair:cutghost");
+}
+
+std::string PairBondOrder::read_path(const char* file) const {
+  const std::string path = utils::get_potential_file_path(file);
+  return path.empty() ? file : path;
+}
+
+void PairBondOrder::coeff(int narg, char** arg) {
+  if (std::strcmp(update->unit_style, "metal") != 0)
+    stop("Pair style " + style_ + " requires metal units, not " + update->unit_style);
+  if (!allocated) allocate();
+  const int types = atom->ntypes;
+  if (narg != 3 + types || std::strcmp(arg[0], "*") != 0 || std::strcmp(arg[1], "*") != 0)
+    stop("Incorrect args for pair coefficients: " + style_ +
+         " needs pair_coeff * * FILE and an element (C, H or NULL) for each atom type");
+  element_of_type_.assign(types + 1, -1);
+  for (int type = 1; type <= types; ++type) {
+    const std::string name = arg[2 + type];
+    if (name == "NULL") continue;
+    const auto known = element_from_symbol(name);
+    if (!known)
+      stop("Incorrect args for pair coefficients: " + style_ + " knows C, H and NULL, not '" + name + "'");
+    element_of_type_[type] = static_cast<int>(*known);
+  }
+  const std::array<rebo2::PairParameters, 3>& bonds = take_file(arg[2]);
+  longest_bond_ = 0.0;
+  for (int p = 0; p < 3; ++p) {
+    bond_cutoff_[p] = bonds[p].cutoff_end;
+    longest_bond_ = std::max(longest_bond_, bond_cutoff_[p]);
+  }
+  listed_positions_.clear();
+
+  int pairs = 0;
+  for (int i = 1; i <= types; ++i)
+    for (int j = i; j <= types; ++j) {
+      setflag[i][j] = element_of_type_[i] >= 0 && element_of_type_[j] >= 0;
+      pairs += setflag[i][j];
+    }
+  if (pairs == 0) stop("Incorrect args for pair coefficients: every type is NULL");
+}
+
+void PairBondOrder::request_near_list() {
+  if (atom->tag_enable == 0) stop("Pair style " + style_ + " requires atom IDs");
+  if (force->newton_pair == 0) stop("Pair style " + style_ + " requires newton pair on");
+  // Only binned lists can have a cut-off of their own.
+  const double cutoff = neighbor->style == Neighbor::BIN ? longest_bond_ + neighbor->skin : 0.0;
+  request_full_list(*neighbor, this, instance_me, true, cutoff);
+  listed_positions_.clear();
+}
+
+void PairBondOrder::set_bond_cutoff(int i, int j) {
+  if (setflag[i][j] == 0) stop("All pair coeffs are not set");
+  cutghost[i][j] = cutghost[j][i] = bond_cutoff_[rebo2::pair_index(element(i), element(j))];
+}
+
+bool PairBondOrder::elements_are_same() const {
+  for (std::size_t i = 0; i < elements_.size(); ++i)
+    if (has_element(atom->type[i]) && elements_[i] != element(atom->type[i])) return false;
+  return true;
+}
+
+bool PairBondOrder::moved_far() const {
+  const double* now = atom->x[0];
+  const double* then = listed_positions_.data();
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < listed_positions_.size(); i += 3) {
+    const double x = now[i] - then[i], y = now[i + 1] - then[i + 1], z = now[i + 2] - then[i + 2];
+    const double moved = x * x + y * y + z * z;
+    farthest = moved > farthest ? moved : farthest;
+  }
+  return !(farthest <= 0.25 * margin * margin);
+}
+
+PairBondOrder::Lists PairBondOrder::update_near() {
+  const std::size_t all = static_cast<std::size_t>(atom->nlocal) + atom->nghost;
+  // LAMMPS's own list may be new, and with it the order of the atoms.
+  const bool new_lists = neighbor->ago == 0 || listed_positions_.size() != 3 * all || !elements_are_same();
+  if (!new_lists && !moved_far()) return Lists::good;
+  find_near_pairs();
+  return new_lists ? Lists::all_changed : Lists::near_changed;
+}
+
+// Pairs that a data file's bonds and special_bonds take out of the lists are those that matter most here.
+// What is left depends on which rank holds an atom, and rebo and airebo compute something without meaning
+// from it.
+void PairBondOrder::refuse_missing_neighbours() const {
+  if (atom->molecular != Atom::MOLECULAR) return;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!has_element(atom->type[i])) continue;
+    for (int from = 0, shell = 0; shell < 3; from = atom->nspecial[i][shell++]) {
+      if (neighbor->special_flag[shell + 1] != 0) continue;  // kept in the lists
+      for (int k = from; k < atom->nspecial[i][shell]; ++k) {
+        const int j = atom->map(atom->special[i][k]);
+        if (j < 0 || !has_element(atom->type[j])) continue;
+        error->one(FLERR, "Pair style " + style_ +
+                              " needs the neighbors that special_bonds takes out, such as atoms " +
+                              std::to_string(atom->tag[i]) + " and " + std::to_string(atom->tag[j]) +
+                              ": use special_bonds lj/coul 1 1 1");
+      }
+    }
+  }
+}
+
+void PairBondOrder::find_near_pairs() {
+  if (neighbor->ago == 0) refuse_missing_neighbours();
+  const int all = atom->nlocal + atom->nghost;
+  const double* x = all > 0 ? atom->x[0] : nullptr;
+  listed_positions_.assign(x, x + 3 * std::size_t(all));
+  elements_.resize(all);
+  for (int i = 0; i < all; ++i)
+    elements_[i] = static_cast<Element>(std::max(0, element_of_type_[atom->type[i]]));
+
+  std::vector<int> list_place(all, -1);
+  for (int n = 0; n < list->inum + list->gnum; ++n) list_place[list->ilist[n]] = n;
+  near_.offsets.assign(1, 0);
+  near_.atoms.clear();
+  const double cutoff = longest_bond_ + margin;
+  for (int i = 0; i < all; ++i) {
+    if (list_place[i] >= 0)
+      for (int n = 0; n < list->numneigh[i]; ++n) {
+        const int j = list->firstneigh[i][n] & NEIGHMASK;
+        double squared = 0.0;
+        for (int d = 0; d < 3; ++d) squared += (x[3 * j + d] - x[3 * i + d]) * (x[3 * j + d] - x[3 * i + d]);
+        if (squared < cutoff * cutoff) near_.atoms.push_back(j);
+      }
+    near_.offsets.push_back(static_cast<std::uint32_t>(near_.atoms.size()));
+  }
+}
+
+potential::AtomsView PairBondOrder::atoms() const {
+  const auto own = static_cast<std::uint32_t>(atom->nlocal);
+  const std::uint32_t all = own + static_cast<std::uint32_t>(atom->nghost);
+  return {all > 0 ? atom->x[0] : nullptr, elements_.data(), own, all};
+}
+
+potential::Virial* PairBondOrder::start_virials() {
+  virials_.assign(elements_.size(), potential::Virial{});
+  return virials_.data();
+}
+
+void PairBondOrder::add_virials() {
+  for (std::size_t i = 0; i < virials_.size(); ++i)
+    for (int d = 0; d < 6; ++d) {
+      if (vflag_atom) vatom[i][d] += virials_[i][d];
+      if (vflag_global && !vflag_fdotr) virial[d] += virials_[i][d];
+    }
+}
+
+std::size_t PairBondOrder::lists_memory() const {
+  return near_.atoms.capacity() * sizeof(std::uint32_t) + listed_positions_.capacity() * sizeof(double);
+}
+
+}  // namespace nanocarbon

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/potential/airebo/lj/lj_chunk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nanocarbon::airebo {
+
+namespace {
+
+//! The largest squared distance between places; infinite where one is not a number.
+double farthest_squared(const std::vector<LjCluster>& now, const std::vector<LjCluster>& then) {
+  double largest[lj_lanes] = {};
+  double sum = 0.0;  // not a number as soon as one of them is not
+  for (std::size_t c = 0; c < now.size(); ++c)
+    for (int l = 0; l < lj_lanes; ++l) {
+      const double x = now[c].position[0][l] - then[c].position[0][l];
+      const double y = now[c].position[1][l] - then[c].position[1][l];
+      const double z = now[c].position[2][l] - then[c].position[2][l];
+      const double squared = x * x + y * y + z * z;
+      largest[l] = largest[l] > squared ? largest[l] : squared;
+      sum += squared;
+    }
+  if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
+  return *std::max_element(largest, largest + lj_lanes);
+}
+
+LjCounts search(const LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin,
+                std::vector<LjRow>& rows, std::vector<LjEntry>& entries) {
+  LjSearch search = {};
+  search.clusters = chunk.clusters.data();
+  set_reach(search, parameters, margin);
+  search.rows = chunk.list_rows.data();
+  search.row_count = chunk.list_rows.size();
+  search.entries = chunk.list.data();
+  search.padding = static_cast<LjEntry>(chunk.clusters.size() - 1) << lj_number_bit;
+  rows.resize(chunk.list_rows.size());
+  entries.resize(chunk.list.size() + kernel.group * chunk.list_rows.size() + 1);
+  return kernel.search(search, rows.data(), entries.data());
+}
+
+}  // namespace
+
+double place_atoms(LjChunk& chunk, const double* positions, std::span<const Vec3> translations) {
+  for (std::size_t c = 0; c < chunk.clusters.size(); ++c) {
+    LjCluster& cluster = chunk.clusters[c];
+    for (int l = 0; l < lj_lanes; ++l) {
+      const double* p = positions + 3 * std::size_t{chunk.atoms[lj_lanes * c + l]};
+      for (int d = 0; d < 3; ++d) cluster.position[d][l] = p[d];
+    }
+    if (!chunk.images.empty())
+      for (int l = 0; l < lj_lanes; ++l) {
+        const Vec3& t = translations[chunk.images[lj_lanes * c + l]];
+        for (int d = 0; d < 3; ++d) cluster.position[d][l] += t[d];
+      }
+    for (auto& component : cluster.force)
+      for (double& f : component) f = 0.0;
+  }
+  if (chunk.searched.empty()) return std::numeric_limits<double>::infinity();
+  return std::sqrt(farthest_squared(chunk.clusters, chunk.searched));
+}
+
+void search_rows(LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin) {
+  const LjCounts counts = search(chunk, kernel, parameters, margin, chunk.rows, chunk.entries);
+  chunk.rows.resize(counts.rows);
+  chunk.entries.resize(counts.entries);
+  chunk.searched = chunk.clusters;
+  if (!chunk.listed.empty()) chunk.strayed = std::sqrt(farthest_squared(chunk.clusters, chunk.listed));
+}
+
+void trim_list(LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin) {
+  const LjCounts counts = search(chunk, kernel, parameters, margin, chunk.rows, chunk.entries);
+  chunk.list_rows.assign(chunk.rows.begin(), chunk.rows.begin() + static_cast<std::ptrdiff_t>(counts.rows));
+  chunk.list.assign(chunk.entries.begin(),
+                    chunk.entries.begin() + static_cast<std::ptrdiff_t>(counts.entries));
+  chunk.listed = chunk.clusters;
+}
+
+}  // namespace nanocarbon::airebo

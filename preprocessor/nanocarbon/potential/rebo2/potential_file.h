@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "nanocarbon/potential/rebo2/parameters.h"
+
+namespace nanocarbon::rebo2 {
+
+//! Hands out the numbers of a potential file in the format of LAMMPS's CH.rebo in order, and knows where it
+//! is.
+class PotentialFile {
+ public:
+  //! \throw UserError (unreadable)
+  explicit PotentialFile(const std::filesystem::path& path);
+
+  //! \brief Checks the second line, which names the model after a '#'.
+  //! \param example a file that has it, for the message
+  //! \throw UserError (malformed), as of the next two
+  void require_header(const std::string& model, const char* example);
+  //! The first number of the next line that has one; the rest of the line names it.
+  double labelled(const char* name);
+  //! The next number, be it on this line or a later one.
+  double plain(const char* name);
+
+  //! \throw UserError (malformed) that names the file and the line
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  void next_line(const char* name);
+  double number(const char* name);
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  std::istringstream words_;
+  std::size_t line_ = 0;
+};
+
+//! Reads what the files of REBO2 and AIREBO begin with: the two-body parameters and the switches.
+void read_bond_parameters(PotentialFile& file, Rebo2Parameters& parameters);
+//! Reads what follows the labelled numbers in both: the angular splines.
+void read_angular_splines(PotentialFile& file, Rebo2Parameters& parameters);
+
+}  // namespace nanocarbon::rebo2
