@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What a builder may choose, and the settings every target shares.
+# What a builder may choose, and the settings every target shares. As part of another project (add_subdirectory or
+# FetchContent) this one brings its library alone, installs nothing, and leaves the other's choices as they are.
 option(NANOCARBON_PREPROCESSOR "Build the program and all of its library; OFF: the LAMMPS plugin and what it needs alone" ON)
-option(NANOCARBON_PLUGIN "Build the LAMMPS plugin (needs LAMMPS headers or source, and MPI)" ON)
+option(NANOCARBON_PROGRAM "Build the program nanocarbon (needs CLI11)" ${PROJECT_IS_TOP_LEVEL})
+option(NANOCARBON_PLUGIN "Build the LAMMPS plugin (needs LAMMPS headers or source, and MPI)" ${PROJECT_IS_TOP_LEVEL})
+option(NANOCARBON_INSTALL "Install what is built" ${PROJECT_IS_TOP_LEVEL})
 option(NANOCARBON_BENCHMARKS "Build the benchmark programs (needs Google Benchmark)" ON)
 option(NANOCARBON_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 option(NANOCARBON_PRECOMPILE "Precompile the headers of other libraries: builds in about half the time" ON)
 option(NANOCARBON_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(NANOCARBON_COVERAGE "Count which lines run; the target coverage makes a page of it (needs gcovr)" OFF)
 
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Kind of build" FORCE)
 endif()
 
+# A project that this one is part of must see the packages that the rooms link.
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -34,6 +40,20 @@ if(NANOCARBON_SANITIZE)
   target_compile_options(nanocarbon_settings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                          -fno-omit-frame-pointer)
   target_link_options(nanocarbon_settings INTERFACE -fsanitize=address,undefined)
+endif()
+if(NANOCARBON_COVERAGE)
+  target_compile_options(nanocarbon_settings INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(nanocarbon_settings INTERFACE --coverage)
+  find_program(NANOCARBON_GCOVR gcovr)
+  if(NANOCARBON_GCOVR)
+    # Of the runs so far: build, run the tests, then build this.
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/coverage)
+    add_custom_target(coverage
+      COMMAND ${NANOCARBON_GCOVR} --root ${PROJECT_SOURCE_DIR} --filter preprocessor/ --filter lammps-plugin/
+              --object-directory ${PROJECT_BINARY_DIR} --exclude-throw-branches --print-summary
+              --html-details ${PROJECT_BINARY_DIR}/coverage/index.html
+      WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
+  endif()
 endif()
 
 # nanocarbon_precompiled(<target> <headers>) lets a target use headers that are precompiled once:

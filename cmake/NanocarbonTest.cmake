@@ -20,8 +20,8 @@ function(nanocarbon_test path)
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 300)
   endif()
-  if(NANOCARBON_SANITIZE)
-    math(EXPR TEST_TIMEOUT "5 * ${TEST_TIMEOUT}")  # the sanitizers cost about as much
+  if(NANOCARBON_SANITIZE OR NANOCARBON_COVERAGE)
+    math(EXPR TEST_TIMEOUT "5 * ${TEST_TIMEOUT}")  # they cost about as much
   endif()
   set(properties TIMEOUT ${TEST_TIMEOUT})
   if(TEST_LABEL)

@@ -19,5 +19,18 @@ grep -q "^$atoms atoms" "$work/sphere.data"
 # The installed program is whole as well.
 "$work/installed/bin/nanocarbon" make fullerene 1 1 --quiet -o "$work/c60.data"
 grep -q "^60 atoms" "$work/c60.data"
+# Components: a room without a mesh library is found where there is none, one with it is not, and one that is not there
+# is named.
+find() {  # find COMPONENT OPTIONS...
+  mkdir -p "$work/find"
+  printf '%s\n' 'cmake_minimum_required(VERSION 3.22)' 'project(user LANGUAGES CXX)' \
+    "find_package(nanocarbon REQUIRED COMPONENTS $1)" >"$work/find/CMakeLists.txt"
+  cmake --fresh -G Ninja -S "$work/find" -B "$work/find/build" -DCMAKE_PREFIX_PATH="$work/installed" "${@:2}" >"$work/found" 2>&1
+}
+find "core topology" -DCMAKE_DISABLE_FIND_PACKAGE_OpenMesh=ON
+if find building -DCMAKE_DISABLE_FIND_PACKAGE_OpenMesh=ON; then exit 1; fi
+grep -q OpenMesh "$work/found"
+if find "core cellar"; then exit 1; fi
+grep -q 'no component cellar' "$work/found"
 if "$work/build/from_mesh_to_molecule" "$work/missing.off" 300 "$work/x.data" 2>"$work/message"; then exit 1; fi
 grep -q missing.off "$work/message"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Compiles the plugin against a LAMMPS source folder that has a header of each name that the plugin includes from
 # elsewhere: the standard library, other libraries, the project's own. Each of them is an error when it is read. Recent
 # LAMMPS have such a header indeed, nlohmann/json.hpp; nothing in that folder may get in the way of what is ours.
