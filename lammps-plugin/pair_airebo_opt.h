@@ -5,7 +5,7 @@
 
 #include "nanocarbon/potential/airebo/fast_evaluation.h"
 #include "nanocarbon/potential/airebo/general_evaluation.h"
-#include "nanocarbon/potential/airebo/lj_sum.h"
+#include "nanocarbon/potential/airebo/lj/lj_sum.h"
 #include "pair_bond_order.h"
 
 namespace nanocarbon {
@@ -16,8 +16,8 @@ namespace nanocarbon {
 //! whole cut-off.
 class PairAireboOpt : public PairBondOrder {
  public:
-  explicit PairAireboOpt(LAMMPS_NS::LAMMPS* lmp)
-      : PairAireboOpt(lmp, "airebo/opt", airebo::LjForm::lennard_jones) {}
+  explicit PairAireboOpt(LAMMPS_NS::LAMMPS* lammps)
+      : PairAireboOpt(lammps, "airebo/opt", airebo::LjForm::lennard_jones) {}
 
   void compute(int eflag, int vflag) override;
   void settings(int narg, char** arg) override;
@@ -27,7 +27,7 @@ class PairAireboOpt : public PairBondOrder {
   double memory_usage() override;
 
  protected:
-  PairAireboOpt(LAMMPS_NS::LAMMPS* lmp, std::string style, airebo::LjForm form);
+  PairAireboOpt(LAMMPS_NS::LAMMPS* lammps, std::string style, airebo::LjForm form);
 
  private:
   //! Parameters and arguments with what evaluates them.
@@ -58,8 +58,8 @@ class PairAireboOpt : public PairBondOrder {
 //! pair_style airebo/morse/opt: AIREBO-M, as pair_style airebo/morse computes it.
 class PairAireboMorseOpt : public PairAireboOpt {
  public:
-  explicit PairAireboMorseOpt(LAMMPS_NS::LAMMPS* lmp)
-      : PairAireboOpt(lmp, "airebo/morse/opt", airebo::LjForm::morse) {}
+  explicit PairAireboMorseOpt(LAMMPS_NS::LAMMPS* lammps)
+      : PairAireboOpt(lammps, "airebo/morse/opt", airebo::LjForm::morse) {}
 };
 
 }  // namespace nanocarbon

@@ -84,7 +84,7 @@ TEST_F(Program, EachKindOfFailureHasItsExitCodeAndLeavesNoFile) {
   const auto build = [&](const std::string& rest) {
     return run("build " + rest + " -o " + path("out.data"));
   };
-  EXPECT_EQ(run("").exit_code, 2);
+  EXPECT_EQ(run("--nonsense").exit_code, 2);
   EXPECT_EQ(run("frobnicate").exit_code, 2);
   EXPECT_EQ(build(sound + " --atoms 100 --length 20").exit_code, 2);
   EXPECT_EQ(build(sound + " --atoms none").exit_code, 2);
@@ -363,7 +363,9 @@ TEST_F(Program, UsesAsManyThreadsAsItIsAllowed) {
   unsetenv("OMP_AFFINITY_FORMAT");
   EXPECT_THAT(two.err, HasSubstr("openmp thread 1"));
   EXPECT_THAT(one.err, testing::Not(HasSubstr("openmp thread 1")));
-  if (std::thread::hardware_concurrency() > 1) EXPECT_THAT(all.err, HasSubstr("openmp thread 1"));
+  if (std::thread::hardware_concurrency() > 1) {
+    EXPECT_THAT(all.err, HasSubstr("openmp thread 1"));
+  }
 }
 
 TEST_F(Program, QuietPrintsNothing) {

@@ -138,7 +138,7 @@ TEST(Airebo, KeepsItsListsWhileAtomsMoveLittle) {
   Airebo kept;
   kept.evaluate(m.positions, m.elements);
   for (unsigned step = 0; step < 12; ++step) {
-    rattle(m, 0.04, 20 + step);
+    rattle(m, 0.12, 20 + step);
     const double energy = kept.evaluate(m.positions, m.elements).energy;
     Airebo fresh;
     EXPECT_NEAR(energy, fresh.evaluate(m.positions, m.elements).energy, 1e-11 * std::abs(energy));

@@ -139,7 +139,8 @@ TEST_P(LjSumTest, PairsAtEveryDistanceFollowTheFormulas) {
         const PlainSum plain = plain_sum(pair, parameters);
         const Evaluated fast = evaluate(sum, pair);
         EXPECT_NEAR(fast.sum.energy, plain.energy, 1e-14 * std::abs(plain.energy) + 5e-17) << r;
-        EXPECT_LT((fast.forces[0] - plain.forces[0]).norm(), 3e-14 * plain.forces[0].norm() + 1e-17) << r;
+        // Near the minimum attraction and repulsion, some 1e-3 eV/Angstrom each, cancel: no more digits are there.
+        EXPECT_LT((fast.forces[0] - plain.forces[0]).norm(), 3e-14 * plain.forces[0].norm() + 5e-17) << r;
       }
     }
 }
