@@ -37,7 +37,7 @@ class Option:
         return " ".join(self.spellings[-1].split()[1:])
 
     def choices(self):
-        return re.findall(r"`([a-z0-9]+)`", self.what) if self.value() == "NAME" else []
+        return re.findall(r"`([a-z0-9-]+)`", self.what) if self.value() == "NAME" else []
 
 
 @dataclasses.dataclass
