@@ -10,7 +10,12 @@ source=$1 include=$2 date=$3 work=$4
 rm -rf "$work"
 mkdir -p "$work/lammps"
 ln -s "$include"/*.h "$work/lammps/"
-if [ -d "$include/fmt" ]; then ln -s "$include/fmt" "$work/lammps/fmt"; fi
+for folder in fmt nlohmann; do  # LAMMPS's own, which its headers read
+  if [ -d "$include/$folder" ]; then
+    mkdir "$work/lammps/$folder"
+    ln -s "$include/$folder"/* "$work/lammps/$folder/"
+  fi
+done
 rm -f "$work/lammps/version.h"
 echo "#define LAMMPS_VERSION \"$date\"" >"$work/lammps/version.h"
 
