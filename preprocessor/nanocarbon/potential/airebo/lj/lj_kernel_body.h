@@ -25,8 +25,30 @@ inline void store(double* to, Vector value) {
   __builtin_memcpy(to, &value, sizeof value);
 }
 
-inline Real larger(Real a, Real b) { return a > b ? a : b; }
-inline Real smaller(Real a, Real b) { return a < b ? a : b; }
+// Comparisons followed by blends would do the same, in two instructions each.
+inline Real larger(Real a, Real b) {
+#if defined(__AVX512F__) && NANOCARBON_LANES == 8
+  return (Real)_mm512_maskz_max_pd(0xff, (__m512d)a, (__m512d)b);
+#elif defined(__AVX__) && NANOCARBON_LANES == 4
+  return (Real)_mm256_max_pd((__m256d)a, (__m256d)b);
+#elif defined(__SSE2__) && NANOCARBON_LANES == 2
+  return (Real)_mm_max_pd((__m128d)a, (__m128d)b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
+inline Real smaller(Real a, Real b) {
+#if defined(__AVX512F__) && NANOCARBON_LANES == 8
+  return (Real)_mm512_maskz_min_pd(0xff, (__m512d)a, (__m512d)b);
+#elif defined(__AVX__) && NANOCARBON_LANES == 4
+  return (Real)_mm256_min_pd((__m256d)a, (__m256d)b);
+#elif defined(__SSE2__) && NANOCARBON_LANES == 2
+  return (Real)_mm_min_pd((__m128d)a, (__m128d)b);
+#else
+  return a < b ? a : b;
+#endif
+}
 
 inline double sum(Real value) {
   double total = 0.0;
@@ -73,12 +95,13 @@ struct Neighbours {
   // Component 0 to 2 of the positions, 3 to 5 of the forces.
   Real get(int component) const {
     const int at = component * lj_lanes;
-    return __builtin_shufflevector(load<Part>(a + at), load<Part>(b + at), 0, 1, 2, 3, 4, 5, 6, 7);
+    const __m512d low = _mm512_castpd256_pd512(_mm256_load_pd(a + at));
+    return (Real)_mm512_maskz_insertf64x4(0xff, low, _mm256_load_pd(b + at), 1);
   }
   void set(int component, Real value) const {
     const int at = component * lj_lanes;
-    store(a + at, __builtin_shufflevector(value, value, 0, 1, 2, 3));
-    store(b + at, __builtin_shufflevector(value, value, 4, 5, 6, 7));
+    _mm256_store_pd(a + at, _mm512_maskz_extractf64x4_pd(0xf, (__m512d)value, 0));
+    _mm256_store_pd(b + at, _mm512_maskz_extractf64x4_pd(0xf, (__m512d)value, 1));
   }
   Real only(Real value) const { return (Real)_mm512_maskz_mov_pd(kept, (__m512d)value); }
   void drop_from(Real x, double limit) {
@@ -124,7 +147,13 @@ struct Neighbours {
 
   Real get(int component) const { return load(a + component * lj_lanes); }
   void set(int component, Real value) const { store(a + component * lj_lanes, value); }
-  Real only(Real value) const { return (Real)((Mask)value & kept); }
+  Real only(Real value) const {
+#if NANOCARBON_LANES == 4
+    return (Real)_mm256_and_pd((__m256d)value, (__m256d)kept);
+#else
+    return (Real)((Mask)value & kept);
+#endif
+  }
   void drop_from(Real x, double limit) { kept &= ~(x >= limit); }
 };
 
@@ -202,6 +231,7 @@ inline Real power_of_two(Real x) {
 template <bool morse, bool energy, bool hard_cutoff>
 double evaluate_rows(const LjData& data) {
   const LjConstants& c = *data.constants;
+  const Real begin = all(c.begin), c_6 = all(c.inverse_width_6), slope_to_a = all(c.slope_to_a);
   LjCluster* clusters = data.clusters;
   Real energies = Real{};
   for (std::size_t r = 0; r < data.row_count; ++r) {
@@ -226,20 +256,20 @@ double evaluate_rows(const LjData& data) {
         const Real scaled = squared * pair.scale;
         if (hard_cutoff) n.drop_from(scaled, c.cutoff_squared);
         const Roots s = roots(scaled);
-        const Real t = larger(smaller(s.root - c.begin, all(1.0)), all(0.0));
+        const Real t = larger(smaller(s.root - begin, all(1.0)), all(0.0));
         const Real rest = 1.0 - t;
         const Real cubic = rest * (1.0 + 2.0 * t);
         Real force;
         if (morse) {
           const Real y2 = power_of_two(s.root * pair.slope + pair.offset);
           const Real front = pair.strength * (s.inverse * y2) * rest;
-          force = n.only(front * ((pair.slope * c.slope_to_a) * (y2 - 1.0) * cubic + (y2 - 2.0) * t));
+          force = n.only(front * ((pair.slope * slope_to_a) * (y2 - 1.0) * cubic + (y2 - 2.0) * t));
           if (energy) energies += n.only(front * s.inverse * (y2 - 2.0) * cubic * squared);
         } else {
           const Real q2 = s.inverse_square * s.inverse_square;
           const Real q3 = q2 * s.inverse_square;
-          const Real well = q3 * c.inverse_width_6 - 1.0;
-          const Real steep = q3 * (2.0 * c.inverse_width_6) - 1.0;
+          const Real well = q3 * c_6 - 1.0;
+          const Real steep = q3 * c_6 + well;
           const Real front = pair.strength * (q2 * q2 * rest);
           force = n.only(front * (steep * cubic + well * t * s.root));
           if (energy) energies += n.only(front * well * cubic * squared);
