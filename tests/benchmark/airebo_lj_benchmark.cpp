@@ -2,12 +2,14 @@
 // Time of the long-range sum of AIREBO, microseconds an atom ("us/atom"), of CPU time on one thread:
 //   benchmark_airebo_lj [--benchmark_repetitions=9 --benchmark_report_aggregates_only]
 // "forces" and "forces, energy, virial" take new positions as a step of molecular dynamics does; "search" is
-// what is done again when atoms have moved by half the inner margin, "find pairs" when by half the outer one.
+// what is done again when atoms have moved by half the inner margin, "find pairs" when by half the outer one;
+// "take half list" is what is done with each list that another program makes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -139,13 +141,38 @@ void report(benchmark::State& state, const LjSystem& system, const LjSum& sum) {
   state.counters["listed/atom"] = of_atoms(listed);
 }
 
-enum class Work { forces, all, search, find };
+enum class Work { forces, all, search, find, half_list };
+
+//! The half list of an atom that another program would hand over: here of a molecule, without ghosts.
+struct HalfList {
+  std::vector<int> atoms, counts;
+  std::vector<std::vector<int>> rows;
+  std::vector<const int*> neighbours;
+  std::vector<std::array<std::uint32_t, 2>> exclusions;
+
+  explicit HalfList(const LjSystem& system) {
+    const NeighbourList near = neighbours_within(system.positions, nullptr, 12.2);
+    for (std::uint32_t i = 0; i < system.size(); ++i) {
+      rows.emplace_back();
+      for (const Neighbour& n : near.of(i))
+        if (i < n.atom) rows.back().push_back(static_cast<int>(n.atom));
+      for (const Neighbour& n : system.exclusions.of(i))
+        if (i < n.atom) exclusions.push_back({i, n.atom});
+      atoms.push_back(static_cast<int>(i));
+      counts.push_back(static_cast<int>(rows.back().size()));
+    }
+    for (const auto& row : rows) neighbours.push_back(row.data());
+  }
+
+  LjHalfList list() const { return {atoms.size(), atoms.data(), neighbours.data(), counts.data()}; }
+};
 
 void run(benchmark::State& state, LjSystem system, Work work, LjForm form, const LjSumOptions& options) {
   LjSum sum(test::published_parameters(form), options);
   const auto find = [&] {
     sum.find_pairs(system.positions, system.elements, system.cell_or_none(), system.exclusions);
   };
+  const auto half = work == Work::half_list ? std::make_unique<HalfList>(system) : nullptr;
   find();
   std::vector<Vec3> forces(system.size(), Vec3::Zero());
   double shift = work == Work::search ? 0.51 * options.inner_margin : 1e-4;
@@ -154,6 +181,8 @@ void run(benchmark::State& state, LjSystem system, Work work, LjForm form, const
       system.positions[i].x() += shift;
     shift = -shift;
     if (work == Work::find) find();
+    if (half)
+      sum.use_half_list(half->list(), system.positions.front().data(), system.elements, half->exclusions);
     if (!sum.place(system.positions.front().data(), system.cell_or_none())) state.SkipWithError("lists");
     if (work == Work::forces || work == Work::all)
       benchmark::DoNotOptimize(
@@ -185,6 +214,13 @@ const int registered = [] {
       add(start + ", search", system, Work::search, LjForm::lennard_jones, options);
       add(start + ", find pairs", system, Work::find, LjForm::lennard_jones, options);
     }
+  }
+  // Without their cells: a half list is that of a molecule here.
+  for (const auto& [name, system] : systems) {
+    LjSystem molecule = system;
+    molecule.cell.reset();
+    molecule.exclusions = within_three_bonds(molecule);
+    add(std::string(name) + ", take half list", molecule, Work::half_list, LjForm::lennard_jones, {});
   }
   LjSumOptions one_chunk;
   one_chunk.own_lists.chunk_clusters = lj_most_clusters / 16;
