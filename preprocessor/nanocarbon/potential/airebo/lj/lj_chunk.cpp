@@ -26,18 +26,19 @@ double farthest_squared(const std::vector<LjCluster>& now, const std::vector<LjC
   return *std::max_element(largest, largest + lj_lanes);
 }
 
-LjCounts search(const LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin,
-                std::vector<LjRow>& rows, std::vector<LjEntry>& entries) {
+LjCounts search(const LjChunk& chunk, std::span<const LjRow> rows, std::span<const LjEntry> entries,
+                const LjKernel& kernel, const LjParameters& parameters, double margin,
+                std::vector<LjRow>& found_rows, std::vector<LjEntry>& found) {
   LjSearch search = {};
   search.clusters = chunk.clusters.data();
   set_reach(search, parameters, margin);
-  search.rows = chunk.list_rows.data();
-  search.row_count = chunk.list_rows.size();
-  search.entries = chunk.list.data();
+  search.rows = rows.data();
+  search.row_count = rows.size();
+  search.entries = entries.data();
   search.padding = static_cast<LjEntry>(chunk.clusters.size() - 1) << lj_number_bit;
-  rows.resize(chunk.list_rows.size());
-  entries.resize(chunk.list.size() + kernel.group * chunk.list_rows.size() + 1);
-  return kernel.search(search, rows.data(), entries.data());
+  found_rows.resize(std::max(found_rows.size(), rows.size()));
+  found.resize(std::max(found.size(), entries.size() + kernel.group * rows.size() + 1));
+  return kernel.search(search, found_rows.data(), found.data());
 }
 
 }  // namespace
@@ -62,18 +63,21 @@ double place_atoms(LjChunk& chunk, const double* positions, std::span<const Vec3
 }
 
 void search_rows(LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin) {
-  const LjCounts counts = search(chunk, kernel, parameters, margin, chunk.rows, chunk.entries);
+  const LjCounts counts =
+      search(chunk, chunk.list_rows, chunk.list, kernel, parameters, margin, chunk.rows, chunk.entries);
   chunk.rows.resize(counts.rows);
   chunk.entries.resize(counts.entries);
   chunk.searched = chunk.clusters;
   if (!chunk.listed.empty()) chunk.strayed = std::sqrt(farthest_squared(chunk.clusters, chunk.listed));
 }
 
-void trim_list(LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin) {
-  const LjCounts counts = search(chunk, kernel, parameters, margin, chunk.rows, chunk.entries);
-  chunk.list_rows.assign(chunk.rows.begin(), chunk.rows.begin() + static_cast<std::ptrdiff_t>(counts.rows));
-  chunk.list.assign(chunk.entries.begin(),
-                    chunk.entries.begin() + static_cast<std::ptrdiff_t>(counts.entries));
+void list_rows(LjChunk& chunk, std::span<const LjRow> rows, std::span<const LjEntry> entries,
+               const LjKernel& kernel, const LjParameters& parameters, double margin, LjRowBuffer& buffer) {
+  const LjCounts counts =
+      search(chunk, rows, entries, kernel, parameters, margin, buffer.rows, buffer.entries);
+  chunk.list_rows.assign(buffer.rows.begin(), buffer.rows.begin() + static_cast<std::ptrdiff_t>(counts.rows));
+  chunk.list.assign(buffer.entries.begin(),
+                    buffer.entries.begin() + static_cast<std::ptrdiff_t>(counts.entries));
   chunk.listed = chunk.clusters;
 }
 

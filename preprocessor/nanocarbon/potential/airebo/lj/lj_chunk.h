@@ -37,8 +37,15 @@ double place_atoms(LjChunk& chunk, const double* positions, std::span<const Vec3
 //! Takes the rows out of the list that are within the margin (Angstrom) of what counts.
 void search_rows(LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin);
 
-//! \brief Drops from the list what is beyond the margin, for good, and keeps the places for LjChunk::strayed.
-//! \pre place_atoms() was called
-void trim_list(LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin);
+//! Rows and their entries, with room for more.
+struct LjRowBuffer {
+  std::vector<LjRow> rows;
+  std::vector<LjEntry> entries;
+};
+
+//! \brief Makes a list of what lies within the margin, and keeps the places for LjChunk::strayed.
+//! \param buffer any; may be used again \pre place_atoms() was called
+void list_rows(LjChunk& chunk, std::span<const LjRow> rows, std::span<const LjEntry> entries,
+               const LjKernel& kernel, const LjParameters& parameters, double margin, LjRowBuffer& buffer);
 
 }  // namespace nanocarbon::airebo

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace nanocarbon::airebo {
 
@@ -42,11 +43,12 @@ LjExcluded::LjExcluded(std::vector<std::array<std::uint32_t, 2>> pairs, std::siz
 }
 
 LjListBuilder::LjListBuilder(const LjSites& sites, const LjExcluded& excluded, std::size_t own_sites,
-                             std::uint32_t chunk_clusters)
+                             std::uint32_t chunk_clusters, TakeRows take_rows)
     : sites_(sites),
       excluded_(excluded),
       own_clusters_(static_cast<std::uint32_t>((own_sites + lj_lanes - 1) / lj_lanes)),
       chunk_clusters_(chunk_clusters),
+      take_rows_(std::move(take_rows)),
       local_(sites.clusters(), nowhere),
       in_row_(sites.clusters(), nowhere) {}
 
@@ -85,6 +87,14 @@ void LjListBuilder::close_chunk() {
   chunk.clusters.resize(touched_.size());
   for (const std::uint32_t cluster : touched_) local_[cluster] = nowhere;
   touched_.clear();
+  if (take_rows_) {
+    take_rows_(chunk, rows_, entries_);
+  } else {
+    chunk.list_rows.assign(rows_.begin(), rows_.end());
+    chunk.list.assign(entries_.begin(), entries_.end());
+  }
+  rows_.clear();
+  entries_.clear();
 }
 
 void LjListBuilder::add_row(std::uint32_t site, std::vector<Partner>& partners) {
@@ -103,19 +113,17 @@ void LjListBuilder::add_row(std::uint32_t site, std::vector<Partner>& partners) 
     }
     for (const Partner& p : partners) in_row_[p.cluster] = nowhere;
   }
-  LjChunk& chunk = lists_.chunks.back();
-  const std::size_t first = chunk.list.size();
+  const std::size_t first = entries_.size();
   for (const Partner& p : partners)
     if (p.mask != 0)
-      chunk.list.push_back(local(p.cluster) << lj_number_bit |
-                           std::uint32_t{sites_.hydrogens[p.cluster]} << lj_kind_bit | p.mask);
-  if (chunk.list.size() == first) return;
-  if (chunk.list.size() > nowhere) throw std::length_error("too many pairs for one list");
+      entries_.push_back(local(p.cluster) << lj_number_bit |
+                         std::uint32_t{sites_.hydrogens[p.cluster]} << lj_kind_bit | p.mask);
+  if (entries_.size() == first) return;
+  if (entries_.size() > nowhere) throw std::length_error("too many pairs for one list");
   const std::uint32_t lane = site % lj_lanes;
-  chunk.list_rows.push_back({local(own_cluster) * lj_lanes + lane,
-                             static_cast<std::uint32_t>(sites_.hydrogens[own_cluster] >> lane & 1),
-                             static_cast<std::uint32_t>(first),
-                             static_cast<std::uint32_t>(chunk.list.size())});
+  rows_.push_back({local(own_cluster) * lj_lanes + lane,
+                   static_cast<std::uint32_t>(sites_.hydrogens[own_cluster] >> lane & 1),
+                   static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(entries_.size())});
 }
 
 LjLists LjListBuilder::finish(std::size_t atoms) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -56,9 +57,13 @@ class LjListBuilder {
     std::uint32_t mask;
   };
 
+  //! What becomes of the rows of a chunk that is complete but for them.
+  using TakeRows = std::function<void(LjChunk&, std::span<const LjRow>, std::span<const LjEntry>)>;
+
   //! \param own_sites the sites that have rows; \param chunk_clusters how many clusters of them share a chunk
+  //! \param take_rows empty: they become the chunk's list
   LjListBuilder(const LjSites& sites, const LjExcluded& excluded, std::size_t own_sites,
-                std::uint32_t chunk_clusters);
+                std::uint32_t chunk_clusters, TakeRows take_rows = {});
 
   //! \param partners of the site, each cluster once; changed
   void add_row(std::uint32_t site, std::vector<Partner>& partners);
@@ -75,10 +80,13 @@ class LjListBuilder {
   const LjExcluded& excluded_;
   std::uint32_t own_clusters_;
   std::uint32_t chunk_clusters_;
+  TakeRows take_rows_;
   std::uint32_t chunk_end_ = 0;
   std::vector<std::uint32_t> local_;  // numbers of clusters in the open chunk
   std::vector<std::uint32_t> in_row_;
   std::vector<std::uint32_t> touched_;
+  std::vector<LjRow> rows_;  // of the open chunk
+  std::vector<LjEntry> entries_;
   LjLists lists_;
 };
 

@@ -211,16 +211,17 @@ LjLists find_lists(std::span<const Vec3> positions, std::span<const Element> ele
   if (cell && !positions.empty()) arrangement.add(border_sites(positions, *cell, homes, reach));
   const LjExcluded excluded = find_excluded(exclusions, homes, arrangement.sites(), arranged.images);
 
-  LjListBuilder builder(arrangement.sites(), excluded, own.size(), options.chunk_clusters);
+  const std::vector<Vec3> moves = translations(arranged, cell);
+  LjRowBuffer buffer;
+  const auto take_rows = [&](LjChunk& chunk, std::span<const LjRow> rows, std::span<const LjEntry> entries) {
+    place_atoms(chunk, positions.front().data(), moves);
+    list_rows(chunk, rows, entries, kernel, parameters, options.margin, buffer);
+  };
+  LjListBuilder builder(arrangement.sites(), excluded, own.size(), options.chunk_clusters, take_rows);
   add_rows(builder, arrangement, own_clusters, reach);
   LjLists lists = builder.finish(positions.size());
   lists.images = std::move(arranged.images);
   lists.margin = options.margin;
-  const std::vector<Vec3> moves = translations(lists, cell);
-  for (LjChunk& chunk : lists.chunks) {
-    place_atoms(chunk, positions.front().data(), moves);
-    trim_list(chunk, kernel, parameters, options.margin);
-  }
   return lists;
 }
 
