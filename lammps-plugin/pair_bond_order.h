@@ -33,7 +33,8 @@ class PairBondOrder : public LAMMPS_NS::Pair {
   //! Pairs that are further apart than a bond by up to this are kept, Angstrom.
   static constexpr double margin = 0.4;
 
-  //! Reads the potential file. \return where bonds end
+  //! Reads the potential file.
+  //! \return where bonds end
   virtual const std::array<rebo2::PairParameters, 3>& take_file(const char* file) = 0;
   //! Reads a file on the first rank and gives what it says to all.
   template <class Parameters, class Read>

@@ -27,7 +27,8 @@ struct AireboResult : potential::Evaluation {
 class Airebo final : public potential::Potential {
  public:
   //! \param instructions of the plain sum over pairs: "generic", "avx2" or "avx512"; empty for the best that
-  //! runs here \throw UserError (usage) where this processor or build does not have them
+  //! runs here
+  //! \throw UserError (usage) where this processor or build does not have them
   explicit Airebo(const AireboParameters& parameters = airebo_parameters(), const AireboTerms& terms = {},
                   std::string_view instructions = {});
   ~Airebo() override;

@@ -18,19 +18,22 @@ class Arrangement {
   explicit Arrangement(double skin) : skin_(skin) {}
 
   //! \brief Makes everything anew.
-  //! \param reach of images; \param bond of near pairs, without their skin; \param pair_reach of pairs; all
-  //! in Angstrom
+  //! \param reach of images;
+  //! \param bond of near pairs, without their skin;
+  //! \param pair_reach of pairs; all in Angstrom
   void make(std::span<const Vec3> positions, std::span<const Element> elements, const Cell* cell,
             double reach, double bond, double pair_reach);
   //! Whether it was made for these atoms in this cell, wherever they were.
   bool is_of(std::span<const Element> elements, const Cell* cell) const;
-  //! Takes new positions of the same atoms. \pre is_of()
+  //! Takes new positions of the same atoms.
+  //! \pre is_of()
   void place(std::span<const Vec3> positions, const Cell* cell) {
     place_sites(positions, cell, sites_, coordinates_);
   }
   //! Whether no atom has moved by more than half the skin since near pairs were looked for.
   bool near_is_good(std::span<const Vec3> positions) const;
-  //! Looks for near pairs anew. \pre place() or make() with the same positions
+  //! Looks for near pairs anew.
+  //! \pre place() or make() with the same positions
   void find_near(std::span<const Vec3> positions);
 
   const Sites& sites() const { return sites_; }

@@ -23,7 +23,8 @@ struct BondPath {
 //! means C_ij = 1. Of equally good paths the shortest counts, then the first found.
 class BondPaths {
  public:
-  //! \brief Finds them. \pre the bonds of the atom, of its neighbours and of theirs are there
+  //! \brief Finds them.
+  //! \pre the bonds of the atom, of its neighbours and of theirs are there
   void find(rebo2::HalfEdges& edges, std::uint32_t from);
 
   //! \return nullptr where there is none

@@ -12,8 +12,9 @@
 namespace nanocarbon::airebo {
 
 //! \brief All of AIREBO but a plain sum over pairs: E_REBO, E_torsion, and what E_LJ differs by from that
-//! sum. \details E_LJ = A - B + D. A, which LjSum does, is V(r) slw(r) of all pairs that were not excluded
-//! when lists were made: those that no path of up to three whole bonds joined. So it takes C_ij = 0 or 1 for
+//! sum.
+//! \details E_LJ = A - B + D. A, which LjSum does, is V(r) slw(r) of all pairs that were not excluded when
+//! lists were made: those that no path of up to three whole bonds joined. So it takes C_ij = 0 or 1 for
 //! known, and S_b = 1. B is V slw S_r (1 - S_b) of the close ones among them; nearly always b* is too small
 //! for S_b to switch, which a bound of it shows. D puts right the pairs whose C_ij has changed or is
 //! fractional. They are near atoms with a bond that is not as it was.
@@ -27,8 +28,8 @@ class FastEvaluation {
   //! \brief Takes new lists; to be called whenever the atoms or their numbers have changed.
   //! \param near as of near_changed()
   //! \param candidates each pair that may come within longest_hypothetical_bond() until the next call, once,
-  //! in the row of an own atom \param margin atoms may move by half of it until near_changed() must be
-  //! called, Angstrom
+  //! in the row of an own atom
+  //! \param margin atoms may move by half of it until near_changed() must be called, Angstrom
   void lists_changed(const potential::AtomsView& atoms, const potential::NearPairs& near,
                      potential::NearPairs candidates, double margin);
   //! \brief Takes new near pairs of the same atoms.

@@ -32,7 +32,8 @@ struct HypotheticalBondScratch {
 rebo2::HalfEdge half_edge(const potential::AtomsView& atoms, std::uint32_t from, std::uint32_t to,
                           const rebo2::Rebo2Parameters& parameters);
 
-//! \param ij from half_edge() \pre the bonds of both atoms and of their neighbours are there
+//! \param ij from half_edge()
+//! \pre the bonds of both atoms and of their neighbours are there
 HypotheticalBond evaluate_hypothetical_bond(rebo2::HalfEdges& edges, std::uint32_t i,
                                             const rebo2::HalfEdge& ij, const rebo2::Model& model,
                                             HypotheticalBondScratch& scratch);

@@ -26,7 +26,8 @@ struct LongRangeTerm {
 void add_bonds_for(const LongRangeTerm& term, const potential::AtomsView& atoms,
                    const potential::NearPairs& near, const AireboModel& model, rebo2::HalfEdges& edges);
 
-//! \brief Adds a term's derivatives to half-edges and forces. \pre add_bonds_for() was called
+//! \brief Adds a term's derivatives to half-edges and forces.
+//! \pre add_bonds_for() was called
 //! \return its energy, eV
 double add_long_range_term(const LongRangeTerm& term, const potential::AtomsView& atoms,
                            const AireboModel& model, rebo2::HalfEdges& edges,

@@ -39,9 +39,10 @@ struct HalfBondOrder {
 };
 
 //! \brief p_ij = [1 + sum_k w_ik g(cos theta_jik, N_ij) e^lambda + P_ij]^(-1/2) (Brenner et al. 2002,
-//! equation 7). \param bonds those of the centre; one to the same atom as ij is left out \param ij one of
-//! them, or a hypothetical one with the weight that the centre's sums hold of it \param length of ij in
-//! lambda, Angstrom
+//! equation 7).
+//! \param bonds those of the centre; one to the same atom as ij is left out
+//! \param ij one of them, or a hypothetical one with the weight that the centre's sums hold of it
+//! \param length of ij in lambda, Angstrom
 HalfBondOrder half_bond_order(std::span<const HalfEdge> bonds, const Centre& centre, const HalfEdge& ij,
                               double length, const Model& model, std::vector<AngleTerm>& angles);
 

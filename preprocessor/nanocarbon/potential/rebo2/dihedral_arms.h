@@ -28,8 +28,9 @@ inline DihedralArm make_dihedral_arm(const HalfEdge& arm, const Vec3& axis, cons
 }
 
 //! \brief Calls visit(arm at i, its half-edge, arm at j, its half-edge, cos omega) for every dihedral around
-//! ij. \details Those with k = l are left out. cos omega is 1 for cis. \param weight of an arm, by its
-//! half-edge
+//! ij.
+//! \details Those with k = l are left out. cos omega is 1 for cis.
+//! \param weight of an arm, by its half-edge
 template <class Weight, class Visit>
 void for_each_dihedral(HalfEdges& edges, const Centre& i, const HalfEdge& ij, const Centre& j,
                        Weight&& weight, Visit&& visit) {

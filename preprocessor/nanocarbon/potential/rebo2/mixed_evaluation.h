@@ -15,11 +15,12 @@
 namespace nanocarbon::rebo2 {
 
 //! \brief The bond-order energy with the fast loops wherever they apply and the general terms elsewhere, atom
-//! by atom. \details Both evaluate the same function, so nothing jumps where an atom goes from one to the
-//! other. An atom in the fast case has its angles in the loops whatever its neighbours are. A bond between
-//! two such atoms has its dihedrals there too, unless a coordination that N_conj depends on is fractional;
-//! where it is whole but not three, only the bond's constants differ. AIREBO's torsion energy of a bond goes
-//! with its dihedrals.
+//! by atom.
+//! \details Both evaluate the same function, so nothing jumps where an atom goes from one to the other. An
+//! atom in the fast case has its angles in the loops whatever its neighbours are. A bond between two such
+//! atoms has its dihedrals there too, unless a coordination that N_conj depends on is fractional; where it is
+//! whole but not three, only the bond's constants differ. AIREBO's torsion energy of a bond goes with its
+//! dihedrals.
 class MixedEvaluation {
  public:
   //! \param torsion adds AIREBO's torsion energy

@@ -44,7 +44,8 @@ struct LjRowBuffer {
 };
 
 //! \brief Makes a list of what lies within the margin, and keeps the places for LjChunk::strayed.
-//! \param buffer any; may be used again \pre place_atoms() was called
+//! \param buffer any; may be used again
+//! \pre place_atoms() was called
 void list_rows(LjChunk& chunk, std::span<const LjRow> rows, std::span<const LjEntry> entries,
                const LjKernel& kernel, const LjParameters& parameters, double margin, LjRowBuffer& buffer);
 

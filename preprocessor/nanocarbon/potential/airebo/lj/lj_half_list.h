@@ -17,9 +17,10 @@ struct LjHalfList {
 };
 
 //! \brief Arranges a half list by clusters. It holds for as long as the half list does: nothing is left out
-//! by distance, and LjLists::margin is infinite. \param positions x, y, z of all atoms, ghosts included,
-//! Angstrom \param elements of all atoms; only those in the list matter \param exclusions pairs to leave out,
-//! an own atom first; each once or at both ends
+//! by distance, and LjLists::margin is infinite.
+//! \param positions x, y, z of all atoms, ghosts included, Angstrom
+//! \param elements of all atoms; only those in the list matter
+//! \param exclusions pairs to leave out, an own atom first; each once or at both ends
 LjLists lists_from_half_list(const LjHalfList& half, const double* positions,
                              std::span<const Element> elements,
                              std::span<const std::array<std::uint32_t, 2>> exclusions);

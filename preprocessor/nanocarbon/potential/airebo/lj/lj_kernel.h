@@ -93,7 +93,8 @@ struct LjKernel {
   const char* name;
   //! Entries that are worked on at once. Their clusters must differ.
   std::uint32_t group;
-  //! Adds forces to the clusters'. \return energy in eV, 0 unless asked for
+  //! Adds forces to the clusters'.
+  //! \return energy in eV, 0 unless asked for
   double (*evaluate)(const LjData& data, LjVariant variant);
   //! \brief Writes the rows that have atoms in reach, without the others, padded to whole groups.
   //! \param rows, entries with room for all rows, and for all entries and a group more for each row

@@ -60,7 +60,8 @@ class LjListBuilder {
   //! What becomes of the rows of a chunk that is complete but for them.
   using TakeRows = std::function<void(LjChunk&, std::span<const LjRow>, std::span<const LjEntry>)>;
 
-  //! \param own_sites the sites that have rows; \param chunk_clusters how many clusters of them share a chunk
+  //! \param own_sites the sites that have rows;
+  //! \param chunk_clusters how many clusters of them share a chunk
   //! \param take_rows empty: they become the chunk's list
   LjListBuilder(const LjSites& sites, const LjExcluded& excluded, std::size_t own_sites,
                 std::uint32_t chunk_clusters, TakeRows take_rows = {});

@@ -22,8 +22,8 @@ struct LjPairParameters {
 
 //! \brief V(r) slw(r) for carbon and hydrogen.
 //! \details V = 4 epsilon [(sigma/r)^12 - (sigma/r)^6], or epsilon_M y (y - 2), y = exp(-alpha (r - r_eq)).
-//! slw = 1 - t^2 (3 - 2 t), where t goes from 0 at switch_begin to 1 at switch_end. \pre epsilon and sigma
-//! above zero; 0 < switch_begin <= switch_end
+//! slw = 1 - t^2 (3 - 2 t), where t goes from 0 at switch_begin to 1 at switch_end.
+//! \pre epsilon and sigma above zero; 0 < switch_begin <= switch_end
 struct LjParameters {
   std::array<LjPairParameters, 3> pairs;  //!< C-C, C-H, H-H
   LjForm form = LjForm::lennard_jones;

@@ -54,7 +54,8 @@ class LjSum {
   bool place(const double* positions, const Cell* cell = nullptr);
 
   //! \brief Adds forces (eV/Angstrom) to those of all atoms in the lists, ghosts included.
-  //! \param forces x, y, z of each atom \pre place() returned true
+  //! \param forces x, y, z of each atom
+  //! \pre place() returned true
   LjResult evaluate(double* forces, LjWanted wanted = {});
 
   //! \brief Adds each atom's share: half of each of its pairs. Slow.
