@@ -97,7 +97,7 @@ void build_by_thesis(BuildResult& result, const BuildOptions& options) {
     if (!relaxed.intact && !options.force)
       throw UserError(
           Failure::failed,
-          "the dual cannot be relaxed with the bonds it has: REBO2 would bind other atoms; take the "
+          "the dual cannot be relaxed with the bonds it has: the potential would bind other atoms; take the "
           "default recipe, or the molecule as it is with --force");
   }
   result.seconds.molecule = stage.lap();
