@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/building/potential_choice.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "nanocarbon/building/build_molecule.h"
+#include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/structures/fullerene.h"
+#include "nanocarbon/topology/connected_components.h"
+#include "support/refusal.h"
+#include "support/rough_sphere.h"
+
+namespace nanocarbon::building {
+namespace {
+
+//! Two spheres around each other, Angstrom.
+TriangleMesh nested_spheres(double radius, double gap) {
+  TriangleMesh both;
+  for (const double r : {radius, radius + gap}) {
+    const TriangleMesh sphere = test::unit_sphere(12);
+    const auto first = static_cast<VertexIndex>(both.points.size());
+    for (const Vec3& p : sphere.points) both.points.push_back(r * p);
+    for (const Triangle& t : sphere.triangles)
+      both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return both;
+}
+
+double closest_of_different_components(const Molecule& molecule) {
+  const topology::Components components = topology::connected_components(molecule.size(), molecule.bonds);
+  const NeighbourList near = neighbours_within(molecule.positions, nullptr, 8.0);
+  double closest = std::numeric_limits<double>::infinity();
+  for (AtomIndex a = 0; a < molecule.size(); ++a)
+    for (const Neighbour& n : near.of(a))
+      if (components.of_atom[a] != components.of_atom[n.atom])
+        closest = std::min(closest, (molecule.positions[a] - molecule.positions[n.atom]).norm());
+  return closest;
+}
+
+BuildOptions draft_at_scale(PotentialChoice potential) {
+  return {.size = UnitScale{1}, .potential = potential, .quality = Quality::draft};
+}
+
+// Graphite's layers are 3.36 Angstrom apart under AIREBO; below 2.9 no two sheets come at rest.
+TEST(PotentialChoice, AireboKeepsNestedSpheresApart) {
+  for (const double gap : {3.4, 4.5, 7.0})
+    for (const PotentialChoice choice : {PotentialChoice::airebo, PotentialChoice::airebo_m}) {
+      const BuildResult result = build_molecule(nested_spheres(8, gap), draft_at_scale(choice));
+      SCOPED_TRACE(gap);
+      EXPECT_TRUE(result.annealed->intact);
+      EXPECT_GT(closest_of_different_components(result.molecule), 2.9);
+      EXPECT_LT(closest_of_different_components(result.molecule), 8.0);
+      // At rest under that potential and no other.
+      double largest = 0.0;
+      const auto potential = make_potential(choice);
+      for (const Vec3& f :
+           potential->evaluate(result.molecule.positions, result.molecule.elements, nullptr, {}).forces)
+        largest = std::max(largest, f.norm());
+      EXPECT_LT(largest, 1.1e-3);
+    }
+}
+
+TEST(PotentialChoice, EachHasLammpssEnergyOfC60) {
+  const Molecule c60 = structures::fullerene(1, 1);
+  std::vector<double> energies;
+  for (const PotentialChoice choice :
+       {PotentialChoice::rebo2, PotentialChoice::airebo, PotentialChoice::airebo_m}) {
+    const auto potential = make_potential(choice);
+    EXPECT_EQ(potential->name(), name(choice));
+    energies.push_back(potential->evaluate(c60.positions, c60.elements, nullptr, {}).energy);
+  }
+  // LAMMPS, each at its own minimum: -6.84206, -6.80800 and -6.80077 eV an atom.
+  EXPECT_NEAR(energies[0] / 60, -6.84206, 2e-3);
+  EXPECT_NEAR(energies[1] / 60, -6.80800, 1e-2);
+  EXPECT_NEAR(energies[2] / 60, -6.80077, 1e-2);
+  EXPECT_GT(energies[2], energies[1]);
+}
+
+TEST(PotentialChoice, NoCertificateIsGivenWhereTheHessianIsNotKnown) {
+  BuildOptions options = draft_at_scale(PotentialChoice::airebo);
+  options.certify = true;
+  EXPECT_THAT(test::refusal(Failure::usage, [&] { build_molecule(nested_spheres(8, 7.0), options); }),
+              testing::HasSubstr("--potential rebo2"));
+}
+
+}  // namespace
+}  // namespace nanocarbon::building
