@@ -42,6 +42,10 @@ set(NANOCARBON_PUBLIC_HEADERS
   molecule/dual.h
   molecule/formats/atom_style.h
   molecule/formats/lammps_data.h
+  molecule/formats/molecule_format.h
+  molecule/formats/molecule_frame.h
+  molecule/formats/read_molecule.h
+  molecule/formats/write_molecule.h
   molecule/formats/xyz.h
   molecule/hydrogens.h
   molecule/molecule.h

@@ -8,10 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "nanocarbon/core/error.h"
+#include "molecule_input.h"
 #include "nanocarbon/core/output_file.h"
-#include "nanocarbon/molecule/formats/lammps_data.h"
-#include "nanocarbon/molecule/formats/xyz.h"
 #include "nanocarbon/potential/rebo2/parameter_file.h"
 #include "nanocarbon/potential/rebo2/rebo2.h"
 
@@ -21,55 +19,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct EnergyCommand {
-  std::string file;
-  std::string boundary;
+  MoleculeInput input;
   std::string potential;
   std::string forces;
   bool parts = false;
   bool json = false;
 };
 
-//! A structure with what its file calls its atoms.
-struct Structure {
-  Molecule molecule;
-  std::vector<std::int64_t> ids;
-};
-
-std::array<bool, 3> parse_boundary(const std::string& text) {
-  std::array<bool, 3> periodic = {};
-  std::string letters = text;
-  std::erase(letters, ' ');
-  if (letters.size() != 3 || letters.find_first_not_of("pfsm") != std::string::npos)
-    throw UserError(Failure::usage,
-                    "--boundary takes three letters as of LAMMPS, such as 'p p f', not '" + text + "'");
-  for (int d = 0; d < 3; ++d) periodic[d] = letters[d] == 'p';
-  return periodic;
-}
-
-Structure read_structure(const EnergyCommand& command) {
-  std::string ending = std::filesystem::path(command.file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  if (ending == ".xyz" || ending == ".extxyz") {
-    if (!command.boundary.empty())
-      throw UserError(Failure::usage,
-                      "--boundary is for LAMMPS data files; XYZ files say pbc=\"T T F\" themselves");
-    Structure structure = {molecule::read_xyz(command.file), {}};
-    for (std::size_t i = 0; i < structure.molecule.size(); ++i)
-      structure.ids.push_back(static_cast<std::int64_t>(i) + 1);
-    return structure;
-  }
-  if (ending != ".data" && ending != ".lmp" && ending != ".lammps")
-    throw UserError(Failure::usage, command.file +
-                                        ": cannot tell the format; the name must end in .data, .lmp or "
-                                        ".lammps (LAMMPS data) or .xyz or .extxyz");
-  molecule::LammpsReadOptions options;
-  if (!command.boundary.empty()) options.periodic = parse_boundary(command.boundary);
-  molecule::LammpsData data = molecule::read_lammps_data(command.file, options);
-  return {std::move(data.molecule), std::move(data.ids)};
-}
-
-void write_forces(const std::string& path, const Structure& structure, const rebo2::Rebo2Result& result) {
+void write_forces(const std::string& path, const molecule::MoleculeFrame& structure,
+                  const rebo2::Rebo2Result& result) {
   const Molecule& m = structure.molecule;
   write_file(path, [&](std::ostream& out) {
     std::string header;
@@ -106,7 +64,7 @@ Summary summarise(const Molecule& m, const rebo2::Rebo2Result& result) {
 }
 
 void print_json(const EnergyCommand& command, const Summary& s, const rebo2::Rebo2Result& result) {
-  Json json = {{"file", command.file},
+  Json json = {{"file", command.input.file},
                {"atoms", s.atoms},
                {"carbons", s.carbons},
                {"hydrogens", s.atoms - s.carbons},
@@ -128,7 +86,7 @@ void print_text(const EnergyCommand& command, const Summary& s, const rebo2::Reb
     fmt::print("  {:<16}{:>20.9f} eV {:>16.9f} eV/atom\n", name, energy,
                energy / static_cast<double>(s.atoms));
   };
-  fmt::print("{}: {} atoms, {} carbon and {} hydrogen\n", command.file, s.atoms, s.carbons,
+  fmt::print("{}: {} atoms, {} carbon and {} hydrogen\n", command.input.file, s.atoms, s.carbons,
              s.atoms - s.carbons);
   energy_line("energy", result.energy);
   if (command.parts) {
@@ -141,9 +99,8 @@ void print_text(const EnergyCommand& command, const Summary& s, const rebo2::Reb
 }
 
 void run(const EnergyCommand& command) {
-  const Structure structure = read_structure(command);
+  const molecule::MoleculeFrame structure = read_molecule(command.input);
   const Molecule& m = structure.molecule;
-  if (m.size() == 0) throw UserError(Failure::unsuitable, command.file + ": there are no atoms in it");
   rebo2::Rebo2 rebo2(command.potential.empty() ? rebo2::rebo2_parameters()
                                                : rebo2::read_rebo2_parameters(command.potential));
   const rebo2::Rebo2Result& result =
@@ -161,22 +118,20 @@ void run(const EnergyCommand& command) {
 void add_energy(CLI::App& app) {
   CLI::App& sub = *app.add_subcommand("energy", "Evaluate REBO2 for a structure: energy, its parts, forces");
   const auto command = std::make_shared<EnergyCommand>();
-  sub.add_option("FILE", command->file,
-                 "LAMMPS data file (.data, .lmp, .lammps) or XYZ file, first frame (.xyz, .extxyz)")
-      ->required();
+  add_molecule_input(sub, command->input);
+  add_frame_option(sub, command->input);
   sub.add_option("--forces", command->forces,
                  "Write forces and energies of the atoms to this extended XYZ file (eV/Angstrom, eV)");
   sub.add_flag("--parts", command->parts, "Also the repulsive, sigma-pi, conjugation and dihedral parts");
   sub.add_flag("--json", command->json, "Print JSON; virial as xx, yy, zz, xy, xz, yz in eV");
-  sub.add_option(
-      "--boundary", command->boundary,
-      "Which directions of a data file are periodic, such as 'p p f'; overrides what the file says");
   sub.add_option("--potential", command->potential,
                  "Parameters from a file in the format of LAMMPS's CH.rebo");
   sub.footer(R"(The energy is that of LAMMPS's pair_style rebo, in eV.
 Examples:
   nanocarbon energy bunny.data
   nanocarbon energy relaxed.xyz --parts --json
+  nanocarbon energy bilayer.data --types C C
+  nanocarbon energy run.lammpstrj.gz --frame -1
   nanocarbon energy sheet.data --boundary "p p f" --forces forces.xyz)");
   sub.callback([command] { run(*command); });
 }

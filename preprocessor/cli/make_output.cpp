@@ -13,8 +13,7 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/molecule/bond_statistics.h"
 #include "nanocarbon/molecule/formats/atom_style.h"
-#include "nanocarbon/molecule/formats/lammps_data.h"
-#include "nanocarbon/molecule/formats/xyz.h"
+#include "nanocarbon/molecule/formats/write_molecule.h"
 #include "number_checks.h"
 
 namespace nanocarbon::cli {
@@ -57,13 +56,9 @@ void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output) {
 }
 
 void write_molecule(const MoleculeOutput& output, const Molecule& molecule, const CLI::App& subcommand) {
-  const std::string extension = output.path.extension().string();
   const std::string made_by = fmt::format("{} (nanocarbon {})", command_text(subcommand), version);
-  if (extension == ".data")
-    molecule::write_lammps_data(output.path, molecule,
-                                {*molecule::atom_style_from_name(output.atom_style), output.margin, made_by});
-  else
-    molecule::write_xyz(output.path, molecule, made_by);
+  molecule::write_molecule(output.path, molecule,
+                           {*molecule::atom_style_from_name(output.atom_style), output.margin, made_by});
   if (output.quiet) return;
   const molecule::Spread bonds = molecule::spread(molecule::bond_lengths(molecule));
   fmt::print("{}: {} atoms, {} bonds of {:.3f} to {:.3f} Angstrom{}\n", output.path.string(), molecule.size(),

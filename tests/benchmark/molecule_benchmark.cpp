@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the tracking costs, and reading and writing.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <sstream>
 
 #include "nanocarbon/molecule/dual.h"
+#include "nanocarbon/molecule/formats/close_atoms.h"
 #include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/molecule/formats/read_molecule.h"
+#include "nanocarbon/molecule/formats/xyz.h"
 #include "nanocarbon/molecule/molecule_graph.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
@@ -58,17 +62,49 @@ void WriteLammpsData(benchmark::State& state) {
 }
 BENCHMARK(WriteLammpsData)->Apply(sizes);
 
-void ReadLammpsData(benchmark::State& state) {
+template <typename Write>
+void read_molecules(benchmark::State& state, const std::string& name, Write write) {
   std::ostringstream out;
-  molecule::LammpsDataOptions options;
-  options.atom_style = molecule::AtomStyle::full;
-  molecule::write_lammps_data(out, sheet(state), options);
+  write(out, sheet(state));
+  const std::string text = out.str();
   for (auto _ : state) {
-    std::istringstream in(out.str());
-    benchmark::DoNotOptimize(molecule::read_lammps_data(in, "benchmark"));
+    molecule::MoleculeFile file(text, name);
+    benchmark::DoNotOptimize(file.next());
   }
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
+}
+
+void ReadLammpsData(benchmark::State& state) {
+  read_molecules(state, "sheet.data", [](std::ostream& out, const Molecule& m) {
+    molecule::LammpsDataOptions options;
+    options.atom_style = molecule::AtomStyle::full;
+    molecule::write_lammps_data(out, m, options);
+  });
 }
 BENCHMARK(ReadLammpsData)->Apply(sizes);
+
+void ReadXyz(benchmark::State& state) {
+  read_molecules(state, "sheet.xyz",
+                 [](std::ostream& out, const Molecule& m) { molecule::write_xyz(out, m); });
+}
+BENCHMARK(ReadXyz)->Apply(sizes);
+
+void ReadLammpsDump(benchmark::State& state) {
+  read_molecules(state, "sheet.lammpstrj", [](std::ostream& out, const Molecule& m) {
+    out << "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n"
+        << m.size() << "\nITEM: BOX BOUNDS ff ff ff\n-1 1\n-1 1\n-1 1\nITEM: ATOMS id type element x y z\n";
+    for (std::size_t i = 0; i < m.size(); ++i)
+      out << fmt::format("{} 1 C {:g} {:g} {:g}\n", i + 1, m.positions[i].x(), m.positions[i].y(),
+                         m.positions[i].z());
+  });
+}
+BENCHMARK(ReadLammpsDump)->Apply(sizes);
+
+void CloseAtoms(benchmark::State& state) {
+  const Molecule m = sheet(state);
+  for (auto _ : state) benchmark::DoNotOptimize(molecule::find_close_atoms(m, 0.5));
+}
+BENCHMARK(CloseAtoms)->Apply(sizes);
 
 }  // namespace
 }  // namespace nanocarbon

@@ -67,8 +67,8 @@ TEST(Energy, WritesForcesThatAddUpToNothing) {
 }
 
 TEST(Energy, SaysWhatIsWrongAndExitsWithItsCode) {
-  EXPECT_EQ(run("energy molecule.pdb").exit_code, 2);
-  EXPECT_THAT(run("energy molecule.pdb").output, HasSubstr("must end in .data"));
+  EXPECT_EQ(run("energy molecule.pdb").exit_code, 3);
+  EXPECT_THAT(run("energy molecule.pdb").output, HasSubstr("molecule.pdb: cannot be read"));
   EXPECT_EQ(run("energy nowhere.data").exit_code, 3);
   const std::string empty = scratch("empty.xyz");
   std::ofstream(empty) << "0\n\n";

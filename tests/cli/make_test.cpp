@@ -8,8 +8,7 @@
 
 #include "nanocarbon/mesh/formats/load_surface.h"
 #include "nanocarbon/mesh/mesh_topology.h"
-#include "nanocarbon/molecule/formats/lammps_data.h"
-#include "nanocarbon/molecule/formats/xyz.h"
+#include "nanocarbon/molecule/formats/read_molecule.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
 
@@ -54,11 +53,11 @@ TEST(Make, StructuresHaveTheirAtomsAndBonds) {
     ASSERT_EQ(data.exit_code, 0) << data.output;
     EXPECT_THAT(data.output,
                 HasSubstr(std::to_string(c.atoms) + " atoms, " + std::to_string(c.bonds) + " bonds"));
-    const Molecule molecule = molecule::read_lammps_data(folder / "a.data").molecule;
+    const Molecule molecule = molecule::read_molecule(folder / "a.data").molecule;
     EXPECT_EQ(molecule.size(), c.atoms);
     EXPECT_EQ(molecule.bonds.size(), c.bonds);
     ASSERT_EQ(make(c.command + " --quiet -o " + (folder / "a.xyz").string()).output, "");
-    EXPECT_EQ(molecule::read_xyz(folder / "a.xyz").size(), c.atoms);
+    EXPECT_EQ(molecule::read_molecule(folder / "a.xyz").molecule.size(), c.atoms);
   }
 }
 
@@ -82,7 +81,7 @@ TEST(Make, AseReadsTheFiles) {
     const std::string data = (folder / "a.data").string(), xyz = (folder / "a.xyz").string();
     ASSERT_EQ(make(what + " -o " + data).exit_code, 0);
     ASSERT_EQ(make(what + " -o " + xyz).exit_code, 0);
-    const Molecule molecule = molecule::read_lammps_data(data).molecule;
+    const Molecule molecule = molecule::read_molecule(data).molecule;
     const std::string atoms = std::to_string(molecule.size()) + "\n";
     EXPECT_THAT(test::run_command(read + "data " + data + " molecular").output, StartsWith(atoms));
     EXPECT_THAT(test::run_command(read + "xyz " + xyz).output, StartsWith(atoms));

@@ -13,6 +13,7 @@
 #include "molecule/shapes.h"
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/molecule/formats/read_molecule.h"
 #include "nanocarbon/molecule/formats/xyz.h"
 
 namespace nanocarbon::molecule {
@@ -120,7 +121,7 @@ TEST_F(AseReads, AndWritesDataThatWeRead) {
   molecule.cell->vectors(0, 1) = 2.0;
   write_xyz(folder / "a.xyz", molecule);
   run(fmt::format("convert \"{}\" \"{}\"", (folder / "a.xyz").string(), (folder / "b.data").string()));
-  const Molecule back = read_lammps_data(folder / "b.data").molecule;
+  const Molecule back = read_molecule(folder / "b.data", {.types = {"C", "H"}}).molecule;
   EXPECT_EQ(back.elements, molecule.elements);
   EXPECT_NEAR((back.cell->vectors - molecule.cell->vectors).norm(), 0.0, 1e-9);
   for (std::size_t i = 0; i < molecule.size(); ++i) {

@@ -1,43 +1,37 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <random>
 #include <sstream>
 
 #include "molecule/shapes.h"
-#include "nanocarbon/core/error.h"
 #include "nanocarbon/molecule/bond_statistics.h"
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/molecule/formats/lammps_data.h"
 #include "nanocarbon/topology/bond_graph.h"
+#include "support/read_text.h"
 
 namespace nanocarbon::molecule {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-LammpsData read(const std::string& text, const LammpsReadOptions& options = {}) {
-  std::istringstream in(text);
-  return read_lammps_data(in, "test.data", options);
+MoleculeFrame read(const std::string& text, const MoleculeReadOptions& options = {}) {
+  return test::read_frames(text, "test.data", options).at(0);
 }
 
-LammpsData written_and_read(const Molecule& molecule, AtomStyle style) {
+std::string error_of(const std::string& text, const MoleculeReadOptions& options = {}) {
+  return test::error_of_text(text, "test.data", options);
+}
+
+MoleculeFrame written_and_read(const Molecule& molecule, AtomStyle style) {
   std::ostringstream out;
   LammpsDataOptions options;
   options.atom_style = style;
   write_lammps_data(out, molecule, options);
   return read(out.str());
-}
-
-std::string error_of(const std::string& text, const LammpsReadOptions& options = {}) {
-  try {
-    read(text, options);
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 // As LAMMPS (29 Sep 2021) write_data writes it, by its documentation: atoms in any order, image flags,
@@ -85,8 +79,7 @@ Bonds
 )";
 
 TEST(LammpsDataReader, ReadsWhatWriteDataWrites) {
-  const LammpsData data = read(by_write_data);
-  EXPECT_EQ(data.atom_style, AtomStyle::molecular);
+  const MoleculeFrame data = read(by_write_data);
   EXPECT_THAT(data.ids, ElementsAre(1, 2, 3, 4));
   const Molecule& m = data.molecule;
   EXPECT_THAT(m.elements, ElementsAre(Element::carbon, Element::carbon, Element::hydrogen, Element::carbon));
@@ -99,12 +92,12 @@ TEST(LammpsDataReader, ReadsWhatWriteDataWrites) {
 }
 
 TEST(LammpsDataReader, ReadsWhatAseWrites) {
-  const LammpsData data = read(
+  const MoleculeFrame data = read(
       "ch.data (written by ASE) \n\n2 \t atoms \n2  atom types\n0.0      2.5  xlo xhi\n0.0      4.0  ylo "
       "yhi\n"
       "0.0      9.0  zlo zhi\n      1.25       0       0  xy xz yz\n\n\nAtoms \n\n"
-      "     1   1        0  1  2\n     2   2      1.5    1    2\n");
-  EXPECT_EQ(data.atom_style, AtomStyle::atomic);
+      "     1   1        0  1  2\n     2   2      1.5    1    2\n",
+      {.types = {"C", "H"}});
   EXPECT_THAT(data.molecule.elements, ElementsAre(Element::carbon, Element::hydrogen));
   EXPECT_EQ(data.molecule.cell->vectors(0, 1), 1.25);
 }
@@ -113,8 +106,7 @@ TEST(LammpsDataReader, GivesBackWhatTheWriterWrote) {
   const Molecule molecule = dual(test::scaled_to_carbon(test::sqrt3_subdivided_sphere(test::icosahedron())));
   for (const AtomStyle style :
        {AtomStyle::atomic, AtomStyle::charge, AtomStyle::molecular, AtomStyle::full}) {
-    const LammpsData data = written_and_read(molecule, style);
-    EXPECT_EQ(data.atom_style, style);
+    const MoleculeFrame data = written_and_read(molecule, style);
     EXPECT_FALSE(data.molecule.cell);
     EXPECT_TRUE(data.molecule.positions == molecule.positions);  // to the last bit
     EXPECT_EQ(data.molecule.elements, molecule.elements);
@@ -155,7 +147,7 @@ TEST(LammpsDataReader, TellsBondsToSeveralImagesOfOneAtomApart) {
 }
 
 TEST(LammpsDataReader, ReadsTypeLabelsAndGeneralCells) {
-  const LammpsData data = read(
+  const MoleculeFrame data = read(
       "x\n\n2 atoms\n2 atom types\n0 4 0 avec\n-4 0 0 bvec\n0 0 5 cvec\n1 1 1 abc origin\n\nAtom Type "
       "Labels\n\n1 H\n2 C\n\n"
       "Masses\n\nH 1.008\nC 12.011\n\nSome Fix's Section\n\n7 8 9\n\nAtoms # charge\n\n9 C -0.1 1 1 1\n4 H 0 "
@@ -169,40 +161,163 @@ const std::string head = "x\n\n2 atoms\n1 atom types\n1 bonds\n0 9 xlo xhi\n0 9 
 
 TEST(LammpsDataReader, OptionsGoBeforeWhatTheFileSays) {
   const std::string text = head + "Masses\n\n1 28.0855\n\nAtoms # atomic\n\n1 1 1 1 1\n2 1 2 2 2\n";
-  EXPECT_THAT(error_of(text), HasSubstr("neither carbon nor hydrogen"));
-  LammpsReadOptions options;
-  options.type_elements = {Element::carbon};
+  EXPECT_THAT(error_of(text), HasSubstr("atom type 1 (mass 28.0855 g/mol) is silicon (Si)"));
+  MoleculeReadOptions options;
+  options.types = {"C"};
   options.periodic = {false, false, false};
-  const LammpsData data = read(text, options);
+  const MoleculeFrame data = read(text, options);
   EXPECT_THAT(data.molecule.elements, testing::Each(Element::carbon));
   EXPECT_FALSE(data.molecule.cell);
 }
 
 TEST(LammpsDataReader, ErrorsNameFileAndLine) {
-  EXPECT_THAT(error_of(head + "Atoms # atomic\n\n1 1 0 0 0\n2 1 0 zero 0\n"), HasSubstr("test.data:13: "));
-  EXPECT_THAT(error_of(head + "Atoms # atomic\n\n1 1 0 0 0\n2 1 0 0\n"),
-              HasSubstr("test.data:13: expected 5 or 8"));
-  EXPECT_THAT(error_of(head + "Atoms # atomic\n\n1 1 0 0 0\n"), HasSubstr("the header says 2 atoms"));
-  EXPECT_THAT(error_of(head + "Atoms # atomic\n\n1 1 0 0 0\n1 1 0 0 nan\n"), HasSubstr("a finite number"));
-  EXPECT_THAT(error_of(head + "Atoms # atomic\n\n7 1 0 0 0\n7 1 0 0 2\n"),
-              HasSubstr("already used on line 12"));
-  EXPECT_THAT(error_of(head + "Atoms # atomic\n\n1 1 0 0 0\n2 5 0 0 2\n"), HasSubstr("'5' is not one of"));
-  EXPECT_THAT(error_of(head + "Atoms # ellipsoid\n\n1 1 0 0 0\n2 1 0 0 2\n"),
-              HasSubstr("'ellipsoid' is not supported"));
-  EXPECT_THAT(error_of(head + "Atoms\n\n1 1 1 0 0 0\n2 1 1 0 0 2\n\nBonds\n\n1 1 1 3\n"),
-              HasSubstr("test.data:17: "));
-  EXPECT_THAT(error_of("x\n\n1 atoms\n\nAtoms\n\n1 1 0 0 0\n"), HasSubstr("does not give a box"));
+  const std::string carbon = head + "Masses\n\n1 12.011\n\n";  // 12 lines
+  EXPECT_THAT(error_of(carbon + "Atoms # atomic\n\n1 1 0 0 0\n2 1 0 zero 0\n"),
+              AllOf(HasSubstr("test.data:17: "), HasSubstr("the line is \"2 1 0 zero 0\"")));
+  EXPECT_THAT(error_of(carbon + "Atoms # atomic\n\n1 1 0 0 0\n2 1 0 0\n"),
+              HasSubstr("test.data:17: expected 5 or 8"));
+  EXPECT_THAT(error_of(carbon + "Atoms # atomic\n\n1 1 0 0 0\n"), HasSubstr("the header says 2 atoms"));
+  EXPECT_THAT(error_of(carbon + "Atoms # atomic\n\n1 1 0 0 0\n1 1 0 0 nan\n"), HasSubstr("a finite number"));
+  EXPECT_THAT(error_of(carbon + "Atoms # atomic\n\n7 1 0 0 0\n7 1 0 0 2\n"),
+              HasSubstr("already used on line 16"));
+  EXPECT_THAT(error_of(carbon + "Atoms # atomic\n\n1 1 0 0 0\n2 5 0 0 2\n"), HasSubstr("'5' is not one of"));
+  EXPECT_THAT(error_of(carbon + "Atoms\n\n1 1 1 0 0 0\n2 1 1 0 0 2\n\nBonds\n\n1 1 1 3\n"),
+              HasSubstr("test.data:21: "));
+  EXPECT_THAT(error_of("x\n\n1 atoms\n1 atom types\n\nAtoms\n\n1 1 0 0 0\n"),
+              HasSubstr("does not give a box"));
   EXPECT_THAT(error_of(head), HasSubstr("no Atoms section"));
-  EXPECT_THAT(error_of(""), HasSubstr("no Atoms section"));
-  EXPECT_THAT(error_of(head + "Atoms\n\n1 1 0 0\n2 1 0 0\n"), HasSubstr("no known style"));
+  EXPECT_THAT(error_of(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(error_of(carbon + "Atoms\n\n1 1 0 0\n2 1 0 0\n"), HasSubstr("name it by --atom-style"));
 }
 
 TEST(LammpsDataReader, AMissingFileIsUnreadable) {
   try {
-    read_lammps_data("/nowhere/at-all.data");
+    read_molecule("/nowhere/at-all.data");
     FAIL() << "nothing was thrown";
   } catch (const UserError& error) {
     EXPECT_EQ(error.failure(), Failure::unreadable);
+  }
+}
+
+// Two atoms of two types, as a bilayer or an adsorbate has them.
+std::string two_types(const std::string& masses, const std::string& labels = {}) {
+  return "x\n\n2 atoms\n2 atom types\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\n" + labels + masses +
+         "Atoms # atomic\n\n1 1 1 1 1\n2 2 2 2 2\n";
+}
+
+TEST(LammpsDataReader, GuessesNoElement) {
+  EXPECT_THAT(error_of(two_types("")), AllOf(HasSubstr("test.data:11: "), HasSubstr("--types C C")));
+  // Gold on graphene, and what names it.
+  EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011\n2 196.97\n\n")),
+              HasSubstr("test.data:17: atom type 2 (mass 196.97 g/mol) is gold (Au)"));
+  // Masses that stand for none: in units lj, or by programs that know none.
+  EXPECT_THAT(error_of(two_types("Masses\n\n1 1.0\n2 1.0\n\n")), HasSubstr("nothing in the file says"));
+  // A united atom, CH2.
+  EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011\n2 13.019\n\n")), HasSubstr("no element's mass"));
+  // A name that says the opposite of the mass.
+  EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011 # H\n2 1.008 # C\n\n")),
+              HasSubstr("has the mass of carbon and is called hydrogen"));
+}
+
+TEST(LammpsDataReader, TakesElementsFromMassesLabelsCommentsAndOptions) {
+  const auto carbon_and_hydrogen = testing::ElementsAre(Element::carbon, Element::hydrogen);
+  for (const std::string masses :
+       {"Masses\n\n1 12.0107\n2 1.00794\n\n", "Masses\n\n1 12\n2 1\n\n", "Masses\n\n1 1.0 # C\n2 1.0 # H\n\n",
+        "Masses\n\n1 12.01115 # cp\n2 1.008 # hc\n\n"})
+    EXPECT_THAT(read(two_types(masses)).molecule.elements, carbon_and_hydrogen) << masses;
+  const std::string labels = "Atom Type Labels\n\n1 C_top\n2 hydrogen\n\n";
+  EXPECT_THAT(read(two_types("", labels)).molecule.elements, carbon_and_hydrogen);
+  const std::string own_names = "Atom Type Labels\n\n1 CA\n2 HA\n\n";
+  EXPECT_THAT(error_of(two_types("", own_names)), HasSubstr("'CA'"));
+  for (const std::vector<std::string>& types :
+       std::vector<std::vector<std::string>>{{"CA=C", "HA=H"}, {"C", "H"}, {"1=C,2=H"}, {"C,H"}})
+    EXPECT_THAT(read(two_types("", own_names), {.types = types}).molecule.elements, carbon_and_hydrogen);
+  EXPECT_THAT(error_of(two_types(""), {.types = {"C", "C", "C"}}), HasSubstr("names 3 types"));
+  EXPECT_THAT(error_of(two_types(""), {.types = {"C", "Au"}}), HasSubstr("gold"));
+  EXPECT_THAT(error_of(two_types(""), {.types = {"C", "2=H"}}),
+              HasSubstr("some types have names and some do not"));
+  const MoleculeFrame against = read(two_types("Masses\n\n1 28.0855\n2 1.008\n\n"), {.types = {"C", "H"}});
+  EXPECT_THAT(against.warnings, ElementsAre(HasSubstr("has the mass of silicon; it is carbon by --types")));
+}
+
+// A type that no atom is of may be anything.
+TEST(LammpsDataReader, PassesOverTypesThatNoAtomIsOf) {
+  const std::string text =
+      "x\n\n1 atoms\n2 atom types\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nMasses\n\n1 12.011\n2 196.97\n\n"
+      "Atoms # atomic\n\n1 1 1 1 1\n";
+  EXPECT_THAT(read(text).molecule.elements, ElementsAre(Element::carbon));
+}
+
+// Columns as in LAMMPS's documentation of read_data; the position is (1.5, 2.5, 3.5) in each.
+TEST(LammpsDataReader, ReadsEveryAtomStyle) {
+  const std::vector<std::pair<std::string, std::string>> atoms = {
+      {"atomic", "1 1 1.5 2.5 3.5"},
+      {"charge", "1 1 -0.5 1.5 2.5 3.5"},
+      {"bond", "1 7 1 1.5 2.5 3.5"},
+      {"full", "1 7 1 0.25 1.5 2.5 3.5 0 0 0"},
+      {"body", "1 1 0 12.0 1.5 2.5 3.5"},
+      {"dipole", "1 1 0.1 1.5 2.5 3.5 0 0 1"},
+      {"dpd", "1 1 1.0 1.5 2.5 3.5"},
+      {"edpd", "1 1 1.0 2.0 1.5 2.5 3.5"},
+      {"electron", "1 1 0 1 0.5 1.5 2.5 3.5"},
+      {"ellipsoid", "1 1 0 2.2 1.5 2.5 3.5"},
+      {"hybrid", "1 1 1.5 2.5 3.5 7 0.5 9 9"},
+      {"line", "1 7 1 0 2.2 1.5 2.5 3.5"},
+      {"peri", "1 1 1.0 2.2 1.5 2.5 3.5"},
+      {"smd", "1 1 7 1 12 1 1 0 0 0 1.5 2.5 3.5"},
+      {"sphere", "1 1 1.4 2.2 1.5 2.5 3.5 0 0 0"},
+      {"spin", "1 1 1.5 2.5 3.5 0 0 1 1.0"},
+      {"template", "1 7 1 1 1 1.5 2.5 3.5"},
+      {"tri", "1 7 1 0 2.2 1.5 2.5 3.5"},
+      {"wavepacket", "1 1 0 1 0.5 1 0.1 0.1 1.5 2.5 3.5"},
+  };
+  const std::string start =
+      "x\n\n1 atoms\n1 atom types\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nMasses\n\n1 12.011\n\n";
+  for (const auto& [style, line] : atoms) {
+    EXPECT_EQ(read(start + "Atoms # " + style + "\n\n" + line + "\n").molecule.positions.at(0),
+              Vec3(1.5, 2.5, 3.5))
+        << style;
+    EXPECT_EQ(read(start + "Atoms\n\n" + line + "\n", {.atom_style = style}).molecule.positions.at(0),
+              Vec3(1.5, 2.5, 3.5))
+        << style;
+  }
+  EXPECT_THAT(error_of(start + "Atoms\n\n1 1 0 0 0\n", {.atom_style = "cubic"}),
+              HasSubstr("no atom style 'cubic'"));
+}
+
+TEST(LammpsDataReader, TellsStylesWithoutCommentByAllOfTheirLines) {
+  const auto first = [](const std::string& atoms) {
+    const std::string start =
+        "x\n\n2 atoms\n2 atom types\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nMasses\n\n1 12.011\n2 "
+        "1.008\n\n";
+    return read(start + "Atoms # of my sheet\n\n" + atoms).molecule.elements;
+  };
+  const auto carbon_and_hydrogen = testing::ElementsAre(Element::carbon, Element::hydrogen);
+  EXPECT_THAT(first("1 1 1 1 1\n2 2 2 2 2\n"), carbon_and_hydrogen);
+  EXPECT_THAT(first("1 7 1 1 1 1\n2 7 2 2 2 2\n"), carbon_and_hydrogen);     // molecular
+  EXPECT_THAT(first("1 1 0 1 1 1\n2 2 0 2 2 2\n"), carbon_and_hydrogen);     // charge, written as 0
+  EXPECT_THAT(first("1 1 1 1 1 1\n2 2 -0.5 2 2 2\n"), carbon_and_hydrogen);  // charge, by the second line
+  EXPECT_THAT(first("1 1 1 1 1 1 0 0 -1\n2 1 2 2 2 2 0 0 0\n"),
+              carbon_and_hydrogen);                                             // molecular with images
+  EXPECT_THAT(first("1 1 1 0 1 1 1\n2 1 2 0.5 2 2 2\n"), carbon_and_hydrogen);  // full
+}
+
+TEST(LammpsDataReader, TakesAnyBlanksAndLineEnds) {
+  const std::string plain = two_types("Masses\n\n1 12.011  # C\n2 1.008  # H\n\n");
+  const Molecule expected = read(plain).molecule;
+  std::string tabs = plain, windows, mac = plain, trailing;
+  for (char& c : tabs)
+    if (c == ' ') c = '\t';
+  for (char& c : mac)
+    if (c == '\n') c = '\r';
+  for (const char c : plain) {
+    windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    trailing += c == '\n' ? std::string(" \t \n  ") : std::string(1, c);
+  }
+  for (const std::string& text : {tabs, windows, mac, trailing, "\xef\xbb\xbf" + plain}) {
+    const Molecule m = read(text).molecule;
+    EXPECT_TRUE(m.positions == expected.positions);
+    EXPECT_EQ(m.elements, expected.elements);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "nanocarbon/molecule/bond_statistics.h"
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/molecule/formats/read_molecule.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/tube.h"
@@ -70,10 +71,9 @@ class LammpsReads : public testing::Test {
   // b.data must hold the molecule's bonds, or without Bonds section the same distances; lengths as exact as
   // LAMMPS writes them.
   void expect_read_back(const Molecule& molecule, AtomStyle style) {
-    LammpsReadOptions options;
+    MoleculeReadOptions options;
     if (!molecule.cell) options.periodic = {false, false, false};
-    LammpsData data = read_lammps_data(folder / "b.data", options);
-    EXPECT_EQ(data.atom_style, style);
+    MoleculeFrame data = read_molecule(folder / "b.data", options);
     ASSERT_EQ(data.molecule.size(), molecule.size());
     EXPECT_EQ(data.molecule.elements, molecule.elements);
     Molecule& back = data.molecule;

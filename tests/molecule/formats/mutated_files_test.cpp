@@ -13,6 +13,7 @@
 #include "nanocarbon/molecule/formats/xyz.h"
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/hydrocarbons.h"
+#include "support/read_text.h"
 
 namespace nanocarbon::molecule {
 namespace {
@@ -104,8 +105,7 @@ TEST(MutatedFiles, LammpsData) {
     write_lammps_data(out, style == AtomStyle::full ? structures::graphene(2, 1) : structures::benzene(),
                       options);
     mutate(out.str(), [](const std::string& text) {
-      std::istringstream in(text);
-      expect_sound(read_lammps_data(in, "mutated").molecule);
+      for (const MoleculeFrame& frame : test::read_frames(text, "mutated.data")) expect_sound(frame.molecule);
     });
   }
 }
@@ -115,8 +115,7 @@ TEST(MutatedFiles, Xyz) {
   write_xyz(out, structures::benzene());
   write_xyz(out, structures::graphene(2, 1));
   mutate(out.str(), [](const std::string& text) {
-    std::istringstream in(text);
-    for (const Molecule& frame : read_xyz_frames(in, "mutated")) expect_sound(frame);
+    for (const MoleculeFrame& frame : test::read_frames(text, "mutated.xyz")) expect_sound(frame.molecule);
   });
 }
 

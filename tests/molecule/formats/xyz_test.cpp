@@ -6,27 +6,25 @@
 #include <sstream>
 
 #include "molecule/shapes.h"
-#include "nanocarbon/core/error.h"
 #include "nanocarbon/molecule/dual.h"
+#include "support/read_text.h"
 
 namespace nanocarbon::molecule {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::vector<Molecule> read(const std::string& text) {
-  std::istringstream in(text);
-  return read_xyz_frames(in, "test.xyz");
+std::vector<Molecule> read(const std::string& text, const MoleculeReadOptions& options = {}) {
+  std::vector<Molecule> molecules;
+  for (MoleculeFrame& frame : test::read_frames(text, "test.xyz", options))
+    molecules.push_back(std::move(frame.molecule));
+  return molecules;
 }
 
-std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
+std::string error_of(const std::string& text, const MoleculeReadOptions& options = {}) {
+  return test::error_of_text(text, "test.xyz", options);
 }
 
 TEST(Xyz, GivesBackWhatWasWritten) {
@@ -90,14 +88,85 @@ TEST(Xyz, CompletesAFlatSheetsCellAsAseWritesIt) {
 
 TEST(Xyz, ErrorsNameFileAndLine) {
   EXPECT_THAT(error_of("2\n\nC 0 0 0\n"), HasSubstr("test.xyz:3: the file ends after 1 of 2 atoms"));
-  EXPECT_THAT(error_of("1\n\nSi 0 0 0\n"), HasSubstr("test.xyz:3: expected C or H, found 'Si'"));
+  EXPECT_THAT(error_of("1\n\nSi 0 0 0\n"), HasSubstr("test.xyz:3: 'Si' is silicon (Si)"));
   EXPECT_THAT(error_of("1\n\nC 0 inf 0\n"), HasSubstr("a finite number"));
   EXPECT_THAT(error_of("many\n\nC 0 0 0\n"), HasSubstr("test.xyz:1: "));
   EXPECT_THAT(error_of("-1\n\n"), HasSubstr("there cannot be -1 atoms"));
-  EXPECT_THAT(error_of("1\nLattice=\"1 0 0 0 1 0\"\nC 0 0 0\n"), HasSubstr("must have 9 numbers"));
+  EXPECT_THAT(error_of("1\nLattice=\"1 0 0 0 1 0\"\nC 0 0 0\n"), HasSubstr("must have 9 values"));
   EXPECT_THAT(error_of("1\nLattice=\"1 0 0 0 1 0 1 1 0\"\nC 0 0 0\n"), HasSubstr("do not span a volume"));
   EXPECT_THAT(error_of("1\nProperties=pos:R:3\n0 0 0\n"), HasSubstr("Properties must have species"));
   EXPECT_THAT(error_of(""), HasSubstr("the file is empty"));
+}
+
+TEST(Xyz, TakesNamesThatLeaveNoDoubt) {
+  for (const char* name : {"C", "c", "C1", "C60", "c12", "C_2", "C.ar", "carbon", "Carbon"})
+    EXPECT_THAT(read(std::string("1\n\n") + name + " 0 0 0\n").at(0).elements, ElementsAre(Element::carbon))
+        << name;
+  for (const char* name : {"H", "h", "H12", "D", "hydrogen"})
+    EXPECT_THAT(read(std::string("1\n\n") + name + " 0 0 0\n").at(0).elements, ElementsAre(Element::hydrogen))
+        << name;
+  // Calcium, or a name for carbon; a builder's names; numbers.
+  for (const char* name : {"CA", "ca", "CT", "HC", "CB1", "1", "6", "X"}) {
+    const std::string text = std::string("1\n\n") + name + " 0 0 0\n";
+    EXPECT_THAT(error_of(text),
+                AllOf(HasSubstr("test.xyz:3: "), HasSubstr(std::string("--types ") + name + "=C")));
+    EXPECT_THAT(read(text, {.types = {std::string(name) + "=C"}}).at(0).elements,
+                ElementsAre(Element::carbon));
+  }
+  EXPECT_THAT(error_of("1\n\nCA 0 0 0\n"), HasSubstr("could be calcium"));
+  EXPECT_THAT(error_of("1\n\nAu1 0 0 0\n"), HasSubstr("is gold (Au)"));
+  EXPECT_THAT(read("2\n\n1 0 0 0\n2 0 0 1\n", {.types = {"C", "H"}}).at(0).elements,
+              ElementsAre(Element::carbon, Element::hydrogen));
+}
+
+TEST(Xyz, ReadsAtomicNumbersWhereTheFileCallsThemSo) {
+  const std::string text = "2\nProperties=Z:I:1:pos:R:3\n6 0 0 0\n1 0 0 1\n";
+  EXPECT_THAT(read(text).at(0).elements, ElementsAre(Element::carbon, Element::hydrogen));
+  EXPECT_THAT(error_of("1\nProperties=Z:I:1:pos:R:3\n79 0 0 0\n"), HasSubstr("gold"));
+}
+
+TEST(Xyz, ReadsFortransExponents) {
+  EXPECT_EQ(read("1\n\nC 1.5D+00 -2.5d-1 +1E2\n").at(0).positions[0], Vec3(1.5, -0.25, 100));
+}
+
+TEST(Xyz, RefusesPeriodicityWithoutLattice) {
+  const std::string text = "1\nProperties=species:S:1:pos:R:3 pbc=\"T T F\"\nC 0 0 0\n";
+  EXPECT_THAT(error_of(text), AllOf(HasSubstr("test.xyz:2: "), HasSubstr("--boundary 'f f f'")));
+  EXPECT_FALSE(read(text, {.periodic = std::array{false, false, false}}).at(0).cell);
+  EXPECT_THAT(error_of("1\n\nC 0 0 0\n", {.periodic = std::array{true, true, false}}),
+              HasSubstr("gives no cell"));
+}
+
+TEST(Xyz, RefusesAtomsBeyondTheNumberPromised) {
+  EXPECT_THAT(error_of("1\n\nC 0 0 0\nC 0 0 2\n"),
+              AllOf(HasSubstr("test.xyz:4: "), HasSubstr("ended with the 1 atoms that it promised")));
+}
+
+// As OVITO, GPUMD, QUIP and ASE write the comment line; the last with its newer, bracketed values.
+TEST(Xyz, ReadsTheCommentLinesOfOtherPrograms) {
+  for (const std::string comment :
+       {"Lattice=\"4 0 0 0 5 0 0 0 6\" Origin=\"0 0 0\" Properties=species:S:1:pos:R:3",
+        "pbc=\"T T T\" lattice=\"4 0 0 0 5 0 0 0 6\" properties=species:S:1:pos:R:3:mass:R:1:group:I:2",
+        "Lattice=\"4 0 0 0 5 0 0 0 6\" Properties=species:S:1:pos:R:3:Z:I:1:force:R:3 pbc=[T, T, T] "
+        "cutoff=-1",
+        "Lattice=[[4, 0, 0], [0, 5, 0], [0, 0, 6]] Properties=species:S:1:pos:R:3 pbc=[true, true, true]"}) {
+    const Molecule m = read("1\n" + comment + "\nC 1 2 3 6 0 0 0\n").at(0);
+    ASSERT_TRUE(m.cell) << comment;
+    EXPECT_EQ(m.cell->vectors, Mat3(Vec3(4, 5, 6).asDiagonal())) << comment;
+    EXPECT_EQ(m.cell->periodic, (std::array{true, true, true})) << comment;
+  }
+}
+
+TEST(Xyz, TurnsLeftHandedLatticesRound) {
+  const Molecule m = read("1\nLattice=\"0 4 0 4 0 0 0 0 5\"\nC 1 2 3\n").at(0);
+  EXPECT_GT(volume(*m.cell), 0.0);
+  EXPECT_EQ(m.positions[0], Vec3(1, 2, 3));
+}
+
+TEST(Xyz, OrdersAtomsByTheirIdsWhereThoseTellThemApart) {
+  const std::string start = "2\nProperties=species:S:1:pos:R:3:id:I:1\n";
+  EXPECT_THAT(test::read_frames(start + "C 0 0 0 9\nH 0 0 1 4\n", "a.xyz").at(0).ids, ElementsAre(4, 9));
+  EXPECT_THAT(test::read_frames(start + "C 0 0 0 7\nH 0 0 1 7\n", "a.xyz").at(0).ids, ElementsAre(1, 2));
 }
 
 }  // namespace

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "nanocarbon/molecule/formats/atom_style.h"
 #include "nanocarbon/molecule/molecule.h"
@@ -39,30 +35,5 @@ void write_lammps_data(std::ostream& out, const Molecule& molecule, const Lammps
 //! The same, whole or not at all, to a file.
 void write_lammps_data(const std::filesystem::path& path, const Molecule& molecule,
                        const LammpsDataOptions& options = {});
-
-struct LammpsReadOptions {
-  std::optional<AtomStyle> atom_style = {};          //!< where the file does not say "Atoms # style"
-  std::optional<std::array<bool, 3>> periodic = {};  //!< overrides the file's "# boundary" comment
-  std::vector<std::optional<Element>> type_elements =
-      {};  //!< of type 1, 2, ...; overrides what the file says
-};
-
-struct LammpsData {
-  Molecule molecule;              //!< atoms in ascending order of their IDs; rings are not known
-  std::vector<std::int64_t> ids;  //!< of each atom
-  AtomStyle atom_style;
-};
-
-//! \brief Reads a LAMMPS data file, as LAMMPS's write_data, ASE and this library write them.
-//! \details Style: the options, the comment after Atoms, or the number of columns where that leaves no doubt.
-//! Elements: the options, then a type label or comment C or H, the mass (12.011 or 1.008 within 0.1), and in
-//! a file without Masses type 1 = C, 2 = H. Image flags unwrap positions. LAMMPS data files do not say which
-//! directions are periodic: the comment "# boundary p p f" of our own files does, and without it all are, as
-//! by LAMMPS's default; where none is, the molecule has no cell. Of bonds across boundaries the nearest image
-//! is taken. Velocities, angles, coefficients and unknown sections are passed over.
-//! \throw UserError (unreadable; malformed, naming file and line; unsuitable for other elements)
-LammpsData read_lammps_data(const std::filesystem::path& path, const LammpsReadOptions& options = {});
-//! \param name to appear in errors in place of a path
-LammpsData read_lammps_data(std::istream& in, const std::string& name, const LammpsReadOptions& options = {});
 
 }  // namespace nanocarbon::molecule

@@ -12,68 +12,17 @@
 namespace nanocarbon::molecule {
 namespace {
 
-std::optional<Element> element_by_mass(double given) {
-  for (const Element element : {Element::carbon, Element::hydrogen})
-    if (std::abs(given - mass(element)) < 0.1) return element;
-  return std::nullopt;
-}
-
-// The element of a type, by its number.
-Element element_of_type(const TextInput& input, const LammpsFile& file, const LammpsReadOptions& options,
-                        const std::string& type, std::size_t line) {
-  const std::size_t index = type.find_first_not_of("0123456789") == std::string::npos && type.size() < 9
-                                ? static_cast<std::size_t>(std::stoul("0" + type))
-                                : 0;
-  if (index == 0 || (file.type_count > 0 && index > file.type_count))
-    input.fail_at(line, fmt::format("'{}' is not one of the file's {} atom types", type.substr(0, 40),
-                                    file.type_count));
-  if (index <= options.type_elements.size() && options.type_elements[index - 1])
-    return *options.type_elements[index - 1];
-  const auto known = file.types.find(type);
-  if (known != file.types.end()) {
-    if (known->second.element) return *known->second.element;
-    if (known->second.mass)
-      if (const auto element = element_by_mass(*known->second.mass)) return *element;
-  }
-  if (file.types.empty() && index <= 2) return index == 1 ? Element::carbon : Element::hydrogen;
-  throw UserError(
-      Failure::unsuitable,
-      fmt::format("the atom on line {} is of type {}, which is neither carbon nor hydrogen by label or "
-                  "mass{}; REBO2 knows only these",
-                  line, index,
-                  known != file.types.end() && known->second.mass
-                      ? fmt::format(" ({} g/mol)", *known->second.mass)
-                      : ""));
-}
-
-std::vector<Element> elements_of(const TextInput& input, const LammpsFile& file,
-                                 const LammpsReadOptions& options) {
-  std::vector<Element> elements;
-  elements.reserve(file.atoms.size());
-  std::map<std::string_view, Element> known;
-  for (const LammpsAtom& atom : file.atoms) {
-    auto found = known.find(atom.type);
-    if (found == known.end()) {
-      const auto label = file.type_of_label.find(std::string(atom.type));
-      const std::string type = label != file.type_of_label.end() ? label->second : std::string(atom.type);
-      found = known.emplace(atom.type, element_of_type(input, file, options, type, atom.line)).first;
-    }
-    elements.push_back(found->second);
-  }
-  return elements;
-}
-
 void check(const TextInput& input, LammpsFile& file) {
   const Mat3& m = file.box.vectors;
   const double inside = m.determinant(), size = m.colwise().norm().prod();
   if (!(inside > 1e-9 * size))
     input.fail_at(1, "the header does not give a box with a volume (xlo xhi, ylo yhi, zlo zhi)");
   if (file.atoms.size() != file.atom_count)
-    input.fail(fmt::format("the header says {} atoms, the Atoms section has {}", file.atom_count,
-                           file.atoms.size()));
+    input.fail_at(input.number(), fmt::format("the header says {} atoms, the Atoms section has {}",
+                                              file.atom_count, file.atoms.size()));
   if (!file.bonds.empty() && file.bonds.size() != file.bond_count)
-    input.fail(fmt::format("the header says {} bonds, the Bonds section has {}", file.bond_count,
-                           file.bonds.size()));
+    input.fail_at(input.number(), fmt::format("the header says {} bonds, the Bonds section has {}",
+                                              file.bond_count, file.bonds.size()));
   const auto by_id = [](const LammpsAtom& a, const LammpsAtom& b) { return a.id < b.id; };
   if (!std::is_sorted(file.atoms.begin(), file.atoms.end(), by_id))
     std::stable_sort(file.atoms.begin(), file.atoms.end(), by_id);
@@ -121,7 +70,7 @@ std::vector<std::array<std::int32_t, 3>> nearest_images(const Cell& cell, const 
 }
 
 // Bonds of a pair that the file lists several times go to different images. Without a cell they are one bond.
-std::vector<Bond> bonds_of(const TextInput& input, const LammpsFile& file, const LammpsData& data) {
+std::vector<Bond> bonds_of(const TextInput& input, const LammpsFile& file, const MoleculeFrame& data) {
   std::vector<Bond> bonds;
   bonds.reserve(file.bonds.size());
   for (const LammpsBond& bond : file.bonds) {
@@ -154,24 +103,28 @@ std::vector<Bond> bonds_of(const TextInput& input, const LammpsFile& file, const
 
 }  // namespace
 
-LammpsData assemble(const TextInput& input, LammpsFile file, const LammpsReadOptions& options) {
+MoleculeFrame assemble(const TextInput& input, LammpsFile file, ReadSettings& settings) {
   check(input, file);
-  LammpsData data;
-  data.atom_style = file.atom_style;
-  data.molecule.elements = elements_of(input, file, options);
-  data.molecule.positions.reserve(file.atoms.size());
-  data.ids.reserve(file.atoms.size());
+  MoleculeFrame frame;
+  const auto elements =
+      elements_of_types(input, file.types, file.type_count, file.atoms, settings, frame.warnings);
+  frame.molecule.elements.reserve(file.atoms.size());
+  frame.molecule.positions.reserve(file.atoms.size());
+  frame.ids.reserve(file.atoms.size());
+  auto element = elements.begin();
   for (const LammpsAtom& atom : file.atoms) {
+    if (element == elements.end() || element->first != atom.type) element = elements.find(atom.type);
+    frame.molecule.elements.push_back(element->second);
     const bool moved = atom.image != std::array<std::int32_t, 3>{0, 0, 0};
-    data.molecule.positions.push_back(moved ? Vec3(atom.position + image_shift(file.box, atom.image))
-                                            : atom.position);
-    data.ids.push_back(atom.id);
+    frame.molecule.positions.push_back(moved ? Vec3(atom.position + image_shift(file.box, atom.image))
+                                             : atom.position);
+    frame.ids.push_back(atom.id);
   }
   file.box.periodic =
-      options.periodic ? *options.periodic : file.boundary.value_or(std::array{true, true, true});
-  if (file.box.periodic != std::array<bool, 3>{false, false, false}) data.molecule.cell = file.box;
-  data.molecule.bonds = bonds_of(input, file, data);
-  return data;
+      settings.periodic ? *settings.periodic : file.boundary.value_or(std::array{true, true, true});
+  if (file.box.periodic != std::array<bool, 3>{false, false, false}) frame.molecule.cell = file.box;
+  frame.molecule.bonds = bonds_of(input, file, frame);
+  return frame;
 }
 
 }  // namespace nanocarbon::molecule

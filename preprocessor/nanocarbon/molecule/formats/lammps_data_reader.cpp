@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/molecule/formats/lammps_data_reader.h"
+
 #include <fmt/format.h>
 
-#include "nanocarbon/core/error.h"
-#include "nanocarbon/molecule/formats/lammps_data.h"
 #include "nanocarbon/molecule/formats/lammps_data_assembly.h"
-#include "nanocarbon/molecule/formats/text_input.h"
 
 namespace nanocarbon::molecule {
 namespace {
@@ -33,12 +32,6 @@ bool ends_with(const Words& words, std::initializer_list<std::string_view> end) 
          std::equal(end.begin(), end.end(), words.end() - static_cast<long>(end.size()));
 }
 
-std::size_t parse_count(const TextInput& input, std::string_view word, std::string_view what) {
-  const std::int64_t count = input.integer(word, fmt::format("the number of {}", what));
-  if (count < 0 || count >= 0xffffffff) input.fail(fmt::format("there cannot be {} {}", count, what));
-  return static_cast<std::size_t>(count);
-}
-
 void parse_bounds(const TextInput& input, const Words& words, int d, LammpsFile& file) {
   if (words.size() != 4) input.fail("expected 'lo hi' and their names");
   const double low = input.coordinate(words[0], "the lower bound"),
@@ -56,11 +49,11 @@ void parse_general_vector(const TextInput& input, const Words& words, Eigen::Ref
 // One line before the first section. Counts and bounds that play no part here are passed over.
 void parse_header(const TextInput& input, const Words& words, LammpsFile& file) {
   if (words.size() == 2 && words[1] == "atoms") {
-    file.atom_count = parse_count(input, words[0], "atoms");
+    file.atom_count = input.count(words[0], "atoms");
   } else if (ends_with(words, {"atom", "types"})) {
-    file.type_count = parse_count(input, words[0], "atom types");
+    file.type_count = input.count(words[0], "atom types");
   } else if (words.size() == 2 && words[1] == "bonds") {
-    file.bond_count = parse_count(input, words[0], "bonds");
+    file.bond_count = input.count(words[0], "bonds");
   } else if (ends_with(words, {"xlo", "xhi"})) {
     parse_bounds(input, words, 0, file);
   } else if (ends_with(words, {"ylo", "yhi"})) {
@@ -90,20 +83,24 @@ void parse_boundary(std::string_view comment, LammpsFile& file) {
   file.boundary = periodic;
 }
 
+std::int64_t type_number(const TextInput& input, std::string_view word, const LammpsFile& file) {
+  if (const auto label = file.labels.find(word); label != file.labels.end()) return label->second;
+  return input.integer(word, "an atom type or its label");
+}
+
 void parse_mass(const TextInput& input, const Words& words, std::string_view comment, LammpsFile& file) {
   if (words.size() < 2) input.fail("expected an atom type and its mass");
-  const auto label = file.type_of_label.find(std::string(words[0]));
-  LammpsType& type = file.types[label != file.type_of_label.end() ? label->second : std::string(words[0])];
+  LammpsType& type = file.types[type_number(input, words[0], file)];
   type.mass = input.real(words[1], "a mass");
-  Words comment_words;
-  split_words(comment, comment_words);
-  if (!comment_words.empty() && !type.element) type.element = element_from_symbol(comment_words[0]);
+  if (comment.find_first_of(" \t") == std::string_view::npos) type.comment = comment;
 }
 
 void parse_type_label(const TextInput& input, const Words& words, LammpsFile& file) {
   if (words.size() != 2) input.fail("expected an atom type and its label");
-  file.types[std::string(words[0])].element = element_from_symbol(words[1]);
-  file.type_of_label[std::string(words[1])] = std::string(words[0]);
+  const std::int64_t type = input.integer(words[0], "an atom type");
+  file.types[type].label = words[1];
+  if (!file.labels.emplace(words[1], type).second)
+    input.fail(fmt::format("the label '{}' is that of another type, too", shown(words[1])));
 }
 
 void parse_bond(const TextInput& input, const Words& words, LammpsFile& file) {
@@ -122,7 +119,7 @@ Section section_of(std::string_view name) {
   return Section::other;
 }
 
-LammpsFile parse(TextInput& input, const LammpsReadOptions& options) {
+LammpsFile parse(TextInput& input, const ReadSettings& settings) {
   LammpsFile file;
   Section section = Section::header;
   std::optional<AtomColumns> columns;
@@ -140,13 +137,14 @@ LammpsFile parse(TextInput& input, const LammpsReadOptions& options) {
       section = section_of(line.text);
       if (section == Section::atoms) {
         if (columns) input.fail("there is more than one Atoms section");
-        columns.emplace(input, line.comment, options.atom_style);
-        file.atoms.reserve(std::min(file.atom_count, input.size() / 10 + 1));
+        columns.emplace(line.comment, settings.atom_style, file.type_count, file.labels);
+        file.atoms.reserve(room_for(file.atom_count));
       }
       after_blank = true;  // LAMMPS wants a blank line here, others leave it out
       continue;
     }
     after_blank = false;
+    if (section == Section::other) continue;
     split_words(line.text, words);
     if (section == Section::header) parse_header(input, words, file);
     if (section == Section::atoms) file.atoms.push_back(columns->parse(input, words));
@@ -154,25 +152,15 @@ LammpsFile parse(TextInput& input, const LammpsReadOptions& options) {
     if (section == Section::bonds) parse_bond(input, words, file);
     if (section == Section::labels) parse_type_label(input, words, file);
   }
-  if (!columns) input.fail("the file has no Atoms section; is it a LAMMPS data file?");
-  file.atom_style = columns->style();
+  if (!columns) input.fail_at(input.number(), "the file has no Atoms section; is it a LAMMPS data file?");
+  columns->finish(input, file.atoms);
   return file;
-}
-
-LammpsData read(TextInput& input, const LammpsReadOptions& options) {
-  return assemble(input, parse(input, options), options);
 }
 
 }  // namespace
 
-LammpsData read_lammps_data(const std::filesystem::path& path, const LammpsReadOptions& options) {
-  TextInput input(path);
-  return read(input, options);
-}
-
-LammpsData read_lammps_data(std::istream& in, const std::string& name, const LammpsReadOptions& options) {
-  TextInput input(in, name);
-  return read(input, options);
+MoleculeFrame read_lammps_data(TextInput& input, ReadSettings& settings) {
+  return assemble(input, parse(input, settings), settings);
 }
 
 }  // namespace nanocarbon::molecule

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iosfwd>
 #include <string>
-#include <vector>
 
 #include "nanocarbon/molecule/molecule.h"
 
@@ -22,17 +21,5 @@ void write_xyz(std::ostream& out, const Molecule& molecule, const std::string& g
 //! The same, whole or not at all, to a file.
 void write_xyz(const std::filesystem::path& path, const Molecule& molecule,
                const std::string& generator = {});
-
-//! \brief Reads all frames of an XYZ file, plain or extended.
-//! \details Of the comment line: Lattice, Origin, pbc and Properties, whose species and pos columns are used.
-//! A Lattice without pbc is periodic in all directions, as ASE has it; a frame without Lattice, or with
-//! pbc="F F F", has no cell. Species are C and H, or their atomic numbers. Bonds and rings are left empty.
-//! \throw UserError (unreadable; malformed, naming file and line; unsuitable for other elements)
-std::vector<Molecule> read_xyz_frames(const std::filesystem::path& path);
-//! \param name to appear in errors in place of a path
-std::vector<Molecule> read_xyz_frames(std::istream& in, const std::string& name);
-
-//! The first frame of a file. Errors as above.
-Molecule read_xyz(const std::filesystem::path& path);
 
 }  // namespace nanocarbon::molecule

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "molecule_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "nanocarbon/core/error.h"
+
+namespace nanocarbon::cli {
+
+void add_molecule_input(CLI::App& subcommand, MoleculeInput& input) {
+  subcommand
+      .add_option(
+          "FILE", input.file,
+          "LAMMPS data file or text dump, XYZ, extended XYZ, CIF or POSCAR, also packed by gzip; - for "
+          "standard input")
+      ->required();
+  subcommand
+      .add_option(
+          "--types", input.types,
+          "Elements of the file's atom types, where it does not say them: of types 1, 2, ... ('C H'), or "
+          "of types and names ('1=C CA=C')")
+      ->type_name("ELEMENTS");
+  subcommand
+      .add_option(
+          "--atom-style", input.atom_style,
+          "LAMMPS's name of the columns of a data file that does not say it (atomic, full, sphere, ...)")
+      ->type_name("NAME");
+  subcommand.add_option("--boundary", input.boundary,
+                        "Which directions are periodic, such as 'p p f'; overrides what the file says");
+}
+
+void add_frame_option(CLI::App& subcommand, MoleculeInput& input) {
+  subcommand
+      .add_option("--frame", input.frame,
+                  "Which frame of a file with several: 1 is the first, the default; -1 the last")
+      ->type_name("N");
+}
+
+molecule::MoleculeReadOptions read_options(const MoleculeInput& input) {
+  molecule::MoleculeReadOptions options{input.types, input.atom_style, std::nullopt};
+  if (input.boundary.empty()) return options;
+  std::string letters = input.boundary;
+  std::erase(letters, ' ');
+  if (letters.size() != 3 || letters.find_first_not_of("pfsm") != std::string::npos)
+    throw UserError(Failure::usage, "--boundary takes three letters as of LAMMPS, such as 'p p f', not '" +
+                                        input.boundary + "'");
+  options.periodic.emplace();
+  for (std::size_t d = 0; d < 3; ++d) (*options.periodic)[d] = letters[d] == 'p';
+  return options;
+}
+
+void print_warnings(const MoleculeInput& input, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    fmt::print(stderr, "nanocarbon: warning: {}: {}\n", input.file == "-" ? "standard input" : input.file,
+               warning);
+}
+
+molecule::MoleculeFrame read_molecule(const MoleculeInput& input) {
+  molecule::MoleculeFrame frame = molecule::read_molecule(input.file, read_options(input), input.frame);
+  print_warnings(input, frame.warnings);
+  return frame;
+}
+
+}  // namespace nanocarbon::cli

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/molecule/formats/lammps_dump_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "nanocarbon/core/error.h"
+
+namespace nanocarbon::molecule {
+namespace {
+
+using Words = std::vector<std::string_view>;
+using Column = std::optional<std::size_t>;
+
+void need_line(TextInput& input, std::string_view what) {
+  if (!input.next_line())
+    input.fail_at(input.number(), fmt::format("the file ends before {}; the last frame is not whole", what));
+}
+
+std::string_view item(std::string_view line) {
+  constexpr std::string_view mark = "ITEM:";
+  line = trimmed(line);
+  return line.starts_with(mark) ? trimmed(line.substr(mark.size())) : std::string_view();
+}
+
+// ITEM: BOX BOUNDS [xy xz yz | abc origin] [pp pp ff], and its three lines.
+struct Box {
+  Cell cell;
+  bool says_boundary = false;
+};
+
+void parse_boundary(const TextInput& input, const Words& words, std::size_t first, Box& box) {
+  if (words.size() != first + 3)
+    input.fail("expected ITEM: BOX BOUNDS and a boundary each way, such as pp pp ff");
+  box.says_boundary = true;
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (words[first + d].find_first_not_of("pfsm") != std::string_view::npos)
+      input.fail(fmt::format("'{}' is no boundary of LAMMPS (pp, ff, ss, ...)", shown(words[first + d])));
+    box.cell.periodic[d] = words[first + d] == "pp";
+  }
+}
+
+Box read_box(TextInput& input, std::string_view header) {
+  Words words;
+  split_words(header, words);  // BOX BOUNDS ...
+  Box box;
+  const bool tilted = words.size() >= 5 && words[2] == "xy", general = words.size() >= 4 && words[2] == "abc";
+  const std::size_t first = tilted ? 5 : general ? 4 : 2;
+  if (words.size() > first) parse_boundary(input, words, first, box);
+  double rows[3][4] = {};
+  const std::size_t columns = general ? 4 : tilted ? 3 : 2;
+  for (auto& row : rows) {
+    need_line(input, "the end of the box");
+    split_words(input.line(), words);
+    if (words.size() != columns) input.fail(fmt::format("expected the {} numbers of a box bound", columns));
+    for (std::size_t k = 0; k < columns; ++k) row[k] = input.coordinate(words[k], "a box bound");
+  }
+  Mat3& m = box.cell.vectors;
+  m.setZero();
+  if (general) {
+    for (int d = 0; d < 3; ++d) {
+      m.col(d) = Vec3(rows[d][0], rows[d][1], rows[d][2]);
+      box.cell.origin[d] = rows[d][3];
+    }
+    return box;
+  }
+  const double xy = rows[0][2], xz = rows[1][2], yz = rows[2][2];
+  const double low[] = {rows[0][0] - std::min({0.0, xy, xz, xy + xz}), rows[1][0] - std::min(0.0, yz),
+                        rows[2][0]};
+  const double high[] = {rows[0][1] - std::max({0.0, xy, xz, xy + xz}), rows[1][1] - std::max(0.0, yz),
+                         rows[2][1]};
+  for (int d = 0; d < 3; ++d) {
+    if (!(high[d] > low[d]))
+      input.fail(fmt::format("the box has no extent along {}: {} to {}", "xyz"[d], low[d], high[d]));
+    box.cell.origin[d] = low[d];
+    m(d, d) = high[d] - low[d];
+  }
+  m(0, 1) = xy;
+  m(0, 2) = xz;
+  m(1, 2) = yz;
+  return box;
+}
+
+struct Columns {
+  std::size_t count = 0;
+  Column id, type, element, mass;
+  std::size_t position[3] = {};
+  bool scaled = false;
+  Column image[3];
+};
+
+Columns parse_columns(const TextInput& input, std::string_view header) {
+  Words names;
+  split_words(header, names);
+  names.erase(names.begin());  // ATOMS
+  const auto column = [&](std::string_view name) -> Column {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? Column() : Column(static_cast<std::size_t>(found - names.begin()));
+  };
+  Columns columns;
+  columns.count = names.size();
+  columns.id = column("id");
+  columns.type = column("type");
+  columns.element = column("element") ? column("element") : column("typelabel");
+  columns.mass = column("mass");
+  for (const std::string_view suffix : {"u", "", "su", "s"}) {
+    Column found[3];
+    for (std::size_t d = 0; d < 3; ++d) found[d] = column(std::string{"xyz"[d]} + std::string(suffix));
+    if (!found[0] || !found[1] || !found[2]) continue;
+    for (std::size_t d = 0; d < 3; ++d) {
+      columns.position[d] = *found[d];
+      if (!suffix.ends_with("u")) columns.image[d] = column(std::string{'i', "xyz"[d]});
+    }
+    columns.scaled = suffix.starts_with("s");
+    if (!columns.image[0] || !columns.image[1] || !columns.image[2])
+      for (Column& image : columns.image) image.reset();
+    return columns;
+  }
+  input.fail("no columns hold positions (x y z, xu yu zu, xs ys zs or xsu ysu zsu)");
+}
+
+// The element of the atom on the current line, each type, name or mass worked out once.
+class ElementColumn {
+ public:
+  ElementColumn(const TextInput& input, const Columns& columns, ReadSettings& settings)
+      : columns_(columns), types_(settings.types), species_(settings.types) {
+    if (columns.element || columns.mass || (columns.type && !types_.empty())) return;
+    throw UserError(Failure::unsuitable,
+                    fmt::format("{}:{}: no column says what the atoms are (element or mass): {}",
+                                input.name(), input.number(),
+                                columns.type ? "say the elements of the types by --types, such as --types C H"
+                                             : "write the dump again with the column element, or type"));
+  }
+
+  Element of(const TextInput& input, const Words& words) {
+    if (columns_.type && !types_.empty())
+      if (const auto said = said_of(input, words[*columns_.type])) return *said;
+    if (columns_.element) {
+      const std::string_view name = words[*columns_.element];
+      if (columns_.type) note(words[*columns_.type], name);
+      return species_.of_name(input, name);
+    }
+    if (columns_.mass) return of_mass(input, words[*columns_.mass]);
+    throw UserError(Failure::unsuitable,
+                    fmt::format("{}:{}: --types does not say what type {} is", input.name(), input.number(),
+                                shown(words[*columns_.type])));
+  }
+
+  // LAMMPS calls every type C unless dump_modify element says otherwise.
+  std::string doubt() const {
+    if (name_of_type_.size() < 2) return {};
+    for (const auto& [type, name] : name_of_type_)
+      if (name != "C") return {};
+    return fmt::format(
+        "all {} atom types are called C, as LAMMPS calls them where dump_modify element does not "
+        "say otherwise; say what they are by --types if some are not",
+        name_of_type_.size());
+  }
+
+ private:
+  void note(std::string_view type, std::string_view name) {
+    if (type == noted_) return;
+    noted_ = type;
+    name_of_type_.try_emplace(noted_, name);
+  }
+
+  std::optional<Element> said_of(const TextInput& input, std::string_view type) {
+    auto known = known_types_.find(type);
+    if (known == known_types_.end()) {
+      std::optional<Element> element;
+      if (const auto z = types_.find(type))
+        element = carbon_or_hydrogen(*z, fmt::format("{}:{}", input.name(), input.number()),
+                                     fmt::format("atom type {} (by --types)", shown(type)));
+      known = known_types_.emplace(type, element).first;
+    }
+    return known->second;
+  }
+
+  Element of_mass(const TextInput& input, std::string_view word) {
+    auto known = known_masses_.find(word);
+    if (known == known_masses_.end()) {
+      const std::string where = fmt::format("{}:{}", input.name(), input.number());
+      const auto z = atomic_number_of_mass(input.real(word, "a mass"));
+      if (!z || word == "1")
+        throw UserError(
+            Failure::unsuitable,
+            fmt::format("{}: a mass of {} g/mol is no element's: say the elements of the types by "
+                        "--types, such as --types C H",
+                        where, shown(word)));
+      known =
+          known_masses_
+              .emplace(word, carbon_or_hydrogen(*z, where, fmt::format("an atom of mass {}", shown(word))))
+              .first;
+    }
+    return known->second;
+  }
+
+  const Columns& columns_;
+  TypeNames& types_;
+  SpeciesReader species_;
+  std::map<std::string, std::optional<Element>, std::less<>> known_types_;
+  std::map<std::string, Element, std::less<>> known_masses_;
+  std::map<std::string, std::string> name_of_type_;
+  std::string noted_;
+};
+
+// The numbers of the frame's ITEMs that come before its atoms.
+struct Header {
+  std::optional<std::int64_t> step;
+  std::optional<std::size_t> atoms;
+  std::optional<Box> box;
+};
+
+// Reads up to and with the line ITEM: ATOMS, which it leaves as the current one.
+Header read_header(TextInput& input) {
+  Header header;
+  for (;;) {
+    const std::string_view name = item(input.line());
+    if (name.starts_with("ATOMS")) return header;
+    if (name.starts_with("BOX BOUNDS")) {
+      header.box = read_box(input, std::string(name));
+    } else if (name == "TIMESTEP" || name == "NUMBER OF ATOMS") {
+      const bool step = name == "TIMESTEP";
+      if (step && header.step) input.fail("the frame before has no ITEM: ATOMS");
+      need_line(input, "the number that belongs here");
+      if (step)
+        header.step = input.integer(trimmed(input.line()), "the time step");
+      else
+        header.atoms = input.count(trimmed(input.line()), "atoms");
+    } else if (name == "UNITS" || name == "TIME") {
+      need_line(input, "what belongs here");
+      const std::string_view units = trimmed(input.line());
+      if (name == "UNITS" && units != "metal" && units != "real")
+        input.fail("the dump has units " + shown(units) +
+                   "; its lengths must be in Angstrom (metal or real)");
+    } else {
+      input.fail("expected a line ITEM: ... of a LAMMPS dump");
+    }
+    need_line(input, "ITEM: ATOMS");
+  }
+}
+
+}  // namespace
+
+std::optional<MoleculeFrame> read_lammps_dump_frame(TextInput& input, ReadSettings& settings) {
+  if (!input.next_line_with_text()) return std::nullopt;
+  const Header header = read_header(input);
+  if (!header.atoms) input.fail("there is no ITEM: NUMBER OF ATOMS before the atoms");
+  if (!header.box) input.fail("there is no ITEM: BOX BOUNDS before the atoms");
+  const Columns columns = parse_columns(input, item(input.line()));
+  const std::size_t atoms = *header.atoms;
+
+  MoleculeFrame frame;
+  frame.step = header.step;
+  const Mat3 vectors = header.box->cell.vectors;
+  const Vec3 origin = header.box->cell.origin;
+  frame.molecule.cell = cell_as_read(input, header.box->cell, settings);
+  if (!header.box->says_boundary && !settings.periodic)
+    frame.warnings.push_back(
+        "the dump does not say which directions are periodic; all are taken to be (say it by "
+        "--boundary 'p p f')");
+  frame.molecule.positions.reserve(room_for(atoms));
+  frame.molecule.elements.reserve(room_for(atoms));
+  frame.ids.reserve(room_for(atoms));
+  ElementColumn elements(input, columns, settings);
+  Words words;
+  for (std::size_t i = 0; i < atoms; ++i) {
+    need_line(input, fmt::format("atom {} of {}", i + 1, atoms));
+    split_words(input.line(), words);
+    if (words.size() != columns.count)
+      input.fail(fmt::format("expected {} columns for atom {} of {}, found {}", columns.count, i + 1, atoms,
+                             words.size()));
+    Vec3 position;
+    for (std::size_t d = 0; d < 3; ++d)
+      position[static_cast<int>(d)] = input.coordinate(words[columns.position[d]], "a coordinate");
+    if (columns.scaled) position = origin + vectors * position;
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (!columns.image[d]) continue;
+      const std::int64_t image = input.integer(words[*columns.image[d]], "an image flag");
+      if (image < -1000000 || image > 1000000)
+        input.fail(fmt::format("the image flag {} is out of bounds", image));
+      if (image != 0) position += static_cast<double>(image) * vectors.col(static_cast<int>(d));
+    }
+    frame.molecule.elements.push_back(elements.of(input, words));
+    frame.molecule.positions.push_back(position);
+    frame.ids.push_back(columns.id ? input.integer(words[*columns.id], "an atom-ID")
+                                   : static_cast<std::int64_t>(i) + 1);
+  }
+  if (const auto twice = sort_by_id(frame))
+    input.fail_at(input.number(),
+                  fmt::format("of the atoms that end on this line, more than one has the ID {}", *twice));
+  if (const std::string doubt = elements.doubt(); !doubt.empty()) frame.warnings.push_back(doubt);
+  return frame;
+}
+
+}  // namespace nanocarbon::molecule
