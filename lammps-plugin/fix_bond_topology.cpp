@@ -10,7 +10,9 @@
 #include "comm.h"
 #include "compat/lammps_compat.h"
 #include "error.h"
+#include "force.h"
 #include "neighbor.h"
+#include "pair.h"
 #include "timer.h"
 #include "update.h"
 #include "utils.h"
@@ -66,16 +68,52 @@ int FixBondTopology::setmask() {
   return END_OF_STEP | POST_NEIGHBOR | POST_RUN | MIN_POST_NEIGHBOR | MIN_POST_FORCE;
 }
 
-void FixBondTopology::init() {
-  constexpr double heavier_than_any_hydrogen = 3.5;
-  element_of_type_.assign(atom->ntypes + 1, Element::carbon);
-  if (atom->mass != nullptr)
-    for (int type = 1; type <= atom->ntypes; ++type)
-      if (atom->mass[type] < heavier_than_any_hydrogen) element_of_type_[type] = Element::hydrogen;
+void FixBondTopology::init() { element_of_type_.assign(atom->ntypes + 1, Element::carbon); }
+
+// Watched already, or about to be.
+bool FixBondTopology::is_watched(int i) const {
+  return started_ || restart_ ? storage_.ids[i] != 0 : (atom->mask[i] & groupbit) != 0;
+}
+
+// The keyword goes before pair_coeff of a pair style of this plugin, which is what the forces are made by.
+SaidElements FixBondTopology::said_elements() const {
+  if (!options_.elements.empty()) return {options_.elements, "element"};
+  int dimension = 0;
+  const auto* of_type = force->pair == nullptr
+                            ? nullptr
+                            : static_cast<const int*>(force->pair->extract("nanocarbon/elements", dimension));
+  if (of_type == nullptr) return {};
+  SaidElements said{{}, "pair_coeff"};
+  said.of_type.resize(static_cast<std::size_t>(atom->ntypes) + 1);
+  for (int type = 1; type <= atom->ntypes; ++type)
+    if (of_type[type] >= 0)
+      said.of_type[static_cast<std::size_t>(type)] = static_cast<Element>(of_type[type]);
+  return said;
+}
+
+// Collective. Says in the log what the types are taken for, and again where that has changed.
+void FixBondTopology::identify_types() {
+  std::vector<int> types;
+  std::vector<double> masses;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!is_watched(i)) continue;
+    types.push_back(atom->type[i]);
+    masses.push_back(atom->rmass != nullptr ? atom->rmass[i] : atom->mass[atom->type[i]]);
+  }
+  const TypeElements elements =
+      type_elements(atom->ntypes, watched_types(world, atom->ntypes, types, masses), said_elements());
+  const std::string name = std::string("bond/topology ") + id;
+  if (!elements.problem.empty())
+    error->all(FLERR, "Fix " + name + " watches carbon and hydrogen: " + elements.problem);
+  element_of_type_ = elements.of_type;
+  if (elements.summary == types_said_) return;
+  types_said_ = elements.summary;
+  if (is_root()) utils::logmesg(lmp, "fix " + name + ": " + elements.summary + "\n");
 }
 
 void FixBondTopology::setup(int) {
   stale_ = true;
+  identify_types();
   check_reach();
   if (!started_) begin();
   // At steps that are not looked at, only atoms that have gone since the last run make a look needed, so that
@@ -91,6 +129,7 @@ void FixBondTopology::setup(int) {
 // done.
 void FixBondTopology::min_setup(int) {
   stale_ = true;
+  identify_types();
   check_reach();
   if (!started_) begin();
   look_at_bonds();

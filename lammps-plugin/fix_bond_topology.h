@@ -15,6 +15,7 @@
 #include "bond_topology/options.h"
 #include "bond_topology/restart_data.h"
 #include "bond_topology/surface_watch.h"
+#include "bond_topology/type_elements.h"
 #include "fix.h"
 
 namespace nanocarbon {
@@ -79,6 +80,9 @@ class FixBondTopology : public LAMMPS_NS::Fix {
   Tally tally(const LocalChanges& changes) const;
   SimulationTime now() const;
   void check_reach() const;
+  bool is_watched(int atom) const;
+  SaidElements said_elements() const;
+  void identify_types();
   void rebuild_candidates();
   void begin();
   void begin_afresh();
@@ -90,6 +94,7 @@ class FixBondTopology : public LAMMPS_NS::Fix {
 
   BondTopologyOptions options_;
   std::vector<Element> element_of_type_;
+  std::string types_said_;  // in the log
   AtomStorage storage_;
   CandidateBonds candidates_;
   bool stale_ = true;  // the candidates' indices are not those of the atoms now

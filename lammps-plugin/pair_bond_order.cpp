@@ -89,6 +89,12 @@ void PairBondOrder::coeff(int narg, char** arg) {
   if (pairs == 0) stop("Incorrect args for pair coefficients: every type is NULL");
 }
 
+void* PairBondOrder::extract(const char* name, int& dimension) {
+  dimension = 1;
+  return std::strcmp(name, "nanocarbon/elements") == 0 && !element_of_type_.empty() ? element_of_type_.data()
+                                                                                    : nullptr;
+}
+
 void PairBondOrder::request_near_list() {
   if (atom->tag_enable == 0) stop("Pair style " + style_ + " requires atom IDs");
   if (force->newton_pair == 0) stop("Pair style " + style_ + " requires newton pair on");

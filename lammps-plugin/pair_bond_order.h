@@ -28,6 +28,8 @@ class PairBondOrder : public LAMMPS_NS::Pair {
   ~PairBondOrder() override;
 
   void coeff(int narg, char** arg) override;
+  //! "nanocarbon/elements": an int for each type from 1, of Element, or -1 for NULL. For fix bond/topology.
+  void* extract(const char* name, int& dimension) override;
 
  protected:
   //! Pairs that are further apart than a bond by up to this are kept, Angstrom.

@@ -3,6 +3,7 @@
 
 #include <cctype>
 
+#include "atom.h"
 #include "error.h"
 #include "utils.h"
 
@@ -13,6 +14,21 @@ namespace {
 
 [[noreturn]] void stop(LAMMPS* lmp, const std::string& problem) {
   lmp->error->all(FLERR, "Illegal fix bond/topology command: " + problem);
+}
+
+// element E1 E2 ... EN, one for each atom type.
+std::vector<std::optional<Element>> read_elements(LAMMPS* lmp, int count, char** names) {
+  const int types = lmp->atom->ntypes;
+  if (count < types)
+    stop(lmp, "element needs C, H or NULL for each of the " + std::to_string(types) + " atom types");
+  std::vector<std::optional<Element>> elements(static_cast<std::size_t>(types) + 1);
+  for (int type = 1; type <= types; ++type) {
+    const std::string name = names[type - 1];
+    const auto element = element_from_symbol(name);
+    if (!element && name != "NULL") stop(lmp, "element must be C, H or NULL, not " + name);
+    elements[static_cast<std::size_t>(type)] = element;
+  }
+  return elements;
 }
 
 }  // namespace
@@ -41,6 +57,9 @@ BondTopologyOptions read_options(LAMMPS* lmp, int narg, char** arg) {
     } else if (keyword == "file" || keyword == "append") {
       options.file = arg[k + 1];
       options.append = keyword == "append";
+    } else if (keyword == "element") {
+      options.elements = read_elements(lmp, narg - k - 1, arg + k + 1);
+      k += lmp->atom->ntypes - 1;
     } else if (keyword == "halt") {
       options.halt = read_yes_or_no(lmp, keyword, arg[k + 1]);
     } else {

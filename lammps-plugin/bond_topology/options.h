@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "lammps.h"
+#include "nanocarbon/core/element.h"
 #include "nanocarbon/topology/bond_graph.h"
 #include "nanocarbon/topology/surface_topology.h"
 
@@ -17,6 +20,8 @@ struct BondTopologyOptions {
   std::string file;  //!< empty: none
   bool append = false;
   bool halt = false;
+  //! Of types from 1, as the keyword element says; empty without it, nothing for NULL.
+  std::vector<std::optional<Element>> elements;
 };
 
 //! \brief Reads the arguments of the fix command, from N on.

@@ -138,6 +138,47 @@ TEST(FixBondTopologyOutput, AnEmptyGroupIsWarnedOf) {
   EXPECT_THAT(result.output, HasSubstr("WARNING: Fix bond/topology watch has no atoms to watch"));
 }
 
+// Two atoms of the first type, one of the second, with these masses.
+std::string two_types(const std::string& masses, const std::string& fix, const std::string& pair = "zero 6.0",
+                      const std::string& coefficients = "* *") {
+  return load + "units metal\nboundary f f f\nregion box block 0 20 0 20 0 20\ncreate_box 2 box\n" +
+         "create_atoms 1 single 10 10 10\ncreate_atoms 1 single 11.4 10 10\ncreate_atoms 2 single 14 10 "
+         "10\n" +
+         masses + "\ngroup first type 1\npair_style " + pair + "\npair_coeff " + coefficients +
+         "\nfix watch " + fix + "\nrun 0\n";
+}
+
+TEST(FixBondTopologyTypes, AreSaidInTheLog) {
+  const auto output = [](const std::string& script) { return run_script(program, script).output; };
+  EXPECT_THAT(
+      output(two_types("mass 1 12.0107\nmass 2 1.00794", "all bond/topology 1")),
+      HasSubstr(
+          "fix bond/topology watch: type 1 (mass 12.0107) is carbon, type 2 (mass 1.00794) is hydrogen\n"));
+  EXPECT_THAT(output(two_types("mass * 12.011", "all bond/topology 1")),
+              HasSubstr("type 2 (mass 12.011) is carbon\n"));
+  EXPECT_THAT(output(two_types("mass * 1.0", "all bond/topology 1 element C H")),
+              HasSubstr("type 1 (mass 1) is carbon by element, type 2 (mass 1) is hydrogen by element\n"));
+  EXPECT_THAT(
+      output(two_types("mass * 1.0", "all bond/topology 1", "rebo/opt", "* * " NANOCARBON_CH_REBO " C H")),
+      HasSubstr("type 1 (mass 1) is carbon by pair_coeff, type 2 (mass 1) is hydrogen by pair_coeff\n"));
+  // Types that no watched atom is of may be anything.
+  EXPECT_THAT(output(two_types("mass 1 12.011\nmass 2 196.97", "first bond/topology 1")),
+              HasSubstr("fix bond/topology watch: type 1 (mass 12.011) is carbon\n"));
+}
+
+TEST(FixBondTopologyTypes, OthersThanCarbonAndHydrogenAreRefusedByName) {
+  const auto refuses = [](const std::string& masses, const std::string& arguments,
+                          const std::string& message) {
+    expect_error(run_script(program, two_types(masses, "all bond/topology 1" + arguments)), message);
+  };
+  refuses("mass 1 12.011\nmass 2 196.97", "",
+          "atom type 2 (mass 196.97) is gold: leave its atoms out of the group");
+  refuses("mass 1 12.011\nmass 2 28.0855", " element C NULL", "is silicon");
+  refuses("mass 1 12.011\nmass 2 13.019", "", "is no element by its mass");
+  refuses("mass * 12.011", " element C", "element needs C, H or NULL for each of the 2 atom types");
+  refuses("mass * 12.011", " element C Au", "element must be C, H or NULL, not Au");
+}
+
 TEST(FixBondTopologyErrors, AtomsWithoutIdsAreAnError) {
   expect_error(run_script(program, load + "units metal\natom_modify id no\nregion box block 0 20 0 20 0 20\n"
                                           "create_box 1 box\ncreate_atoms 1 single 10 10 10\nmass 1 12.011\n"
