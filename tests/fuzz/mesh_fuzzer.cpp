@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // For libFuzzer, built with clang and -DNANOCARBON_FUZZERS=ON:
-//   cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug
-//   -DNANOCARBON_FUZZERS=ON cmake --build build/fuzz --target fuzz_mesh build/fuzz/tests/fuzz/fuzz_mesh
-//   -rss_limit_mb=512 -timeout=5 CORPUS_FOLDER [a folder of meshes to start from]
+//   cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DNANOCARBON_FUZZERS=ON
+//   cmake --build build/fuzz --target fuzz_mesh fuzz_molecule fuzz_potential
+//   build/fuzz/tests/fuzz/fuzz_mesh -rss_limit_mb=512 -timeout=5 -runs=1000000 CORPUS_FOLDER [a folder of meshes to start from]
 // The first byte of the input chooses the extension, the rest is the file.
 #include <cstdint>
 #include <cstdio>
