@@ -49,6 +49,18 @@ std::vector<Seed> seeds() {
        "property uchar red\nelement face 2\nproperty list uchar int vertex_indices\n"
        "property float quality\nelement edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n"
        "0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n3 0 1 2 0.5\n3 0 2 3 0.5\n0 1\n"});
+  result.push_back(
+      {"c.ply",
+       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+       "element tristrips 1\nproperty list int int64 vertex_indices\nend_header\n"
+       "0 0 0 9\n2 0 0 9\n0 2 0 9\n0 0 2 9\n8 0 1 2 3\n-1 0 3 1\n"});
+  // Cubes that share an edge and a square, a fin, and a face wrapped over lines.
+  result.push_back(
+      {"c.off",
+       "OFF\n19 14 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+       "1 1 0\n2 1 0\n1 2 0\n2 2 0\n1 1 1\n2 1 1\n1 2 1\n2 2 1\n0.5 1 0\n9 9 9\n0 0 2\n"
+       "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3\n7 5\n4 8 10 11 9\n4 12 13 15 14\n"
+       "4 8 9 13 12\n4 10 14 15 11\n4 8 12 14 10\n4 9 11 15 13\n3 0 2 18\n3 2 0 18\n"});
   return result;
 }
 
@@ -169,9 +181,9 @@ TEST_P(MeshMutants, EveryTruncationIsRefusedOrComesOutAsPromised) {
         << seed.file << " cut to " << size;
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryFormat, MeshMutants, testing::Range<std::size_t>(0, 19));
+INSTANTIATE_TEST_SUITE_P(EveryFormat, MeshMutants, testing::Range<std::size_t>(0, 21));
 
-TEST(MeshMutantSeeds, AreAllUsed) { EXPECT_EQ(seeds().size(), 19u); }
+TEST(MeshMutantSeeds, AreAllUsed) { EXPECT_EQ(seeds().size(), 21u); }
 
 // Bytes without any meaning, under every extension.
 TEST(MeshNoise, IsRefused) {

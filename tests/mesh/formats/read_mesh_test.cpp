@@ -61,6 +61,10 @@ TEST_F(ReadMesh, WhatIsNoMeshIsSaidSo) {
   EXPECT_THAT(malformed(file("a.ply", "hello\n")), HasSubstr("a.ply:1: a PLY file begins with ply"));
   EXPECT_THAT(malformed(file("a.obj", "hello\n")), HasSubstr("no vertices"));
   EXPECT_THAT(malformed(file("a.obj", std::string("\x1f\x8b\x08\0", 4))), HasSubstr("compressed by gzip"));
+  EXPECT_THAT(malformed(file("a.obj", std::string("\xFF\xFEv\0 \0", 6))),
+              HasSubstr("UTF-16; save it as UTF-8"));
+  EXPECT_THAT(malformed(file("a.obj", std::string("v\0 \0001\0 \0", 8))), HasSubstr("UTF-16"));
+  EXPECT_THAT(malformed(file("a.off", std::string("\0O\0F\0F\0\n", 8))), HasSubstr("UTF-16"));
   EXPECT_THAT(malformed(file("a.stl", "PK\x03\x04")), HasSubstr("ZIP archive"));
 }
 

@@ -71,6 +71,13 @@ TEST(ReadOff, WhatFollowsTheLastFaceIsPassedOverAndTold) {
   EXPECT_THAT(soup.notes, ElementsAre(HasSubstr("line 11")));
 }
 
+TEST(ReadOff, AFaceMayBeWrappedOverLines) {
+  expect_tetrahedron("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3\n0 2 1\n3 0\n1\n\n3\n3 1 2 3\n3 2 0 3\n");
+  // A face with a corner too few is not made whole by the next one's numbers.
+  EXPECT_THAT(refused("OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2\n3 0 1 3\n"),
+              HasSubstr("a.off:8: face 0 has fewer than 3 corners on its own line"));
+}
+
 TEST(ReadOff, BrokenFilesAreRefusedWithTheLine) {
   EXPECT_THAT(refused(""), HasSubstr("empty"));
   EXPECT_THAT(refused("OFF"), HasSubstr("a.off:1: the file ends before the counts"));

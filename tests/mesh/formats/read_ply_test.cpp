@@ -53,6 +53,48 @@ TEST(ReadPly, PropertiesInAnyOrderAndElementsOfAnyKind) {
       "a.ply"));
 }
 
+TEST(ReadPly, ListsOf64Bits) {
+  for (const std::string type : {"int64", "uint64"}) {
+    std::string header = text_header;
+    header.replace(header.find("uchar int"), 9, "uint8 " + type);
+    expect_triangle(parse_mesh(header + text_body, "a.ply"));
+  }
+}
+
+TEST(ReadPly, TriangleStrips) {
+  const auto strips = [](const std::string& body) {
+    return parse_mesh(
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+        "0 0 0\n2 0 0\n0 2 0\n0 0 2\n" +
+            body,
+        "a.ply");
+  };
+  // Every second triangle is turned, and -1 begins a new strip.
+  EXPECT_THAT(strips("8 0 1 2 3 -1 0 3 1\n").corners, ElementsAre(0, 1, 2, 2, 1, 3, 0, 3, 1));
+  // A repeated vertex only joins stretches.
+  EXPECT_THAT(strips("7 0 1 2 2 2 1 3\n").corners, ElementsAre(0, 1, 2, 2, 1, 3));
+  EXPECT_EQ(strips("2 0 1\n").faces(), 0u);
+  EXPECT_THAT(test::refusal(Failure::malformed, [&] { strips("3 0 1 -2\n"); }),
+              HasSubstr("vertex number -2"));
+  EXPECT_THAT(test::refusal(Failure::malformed, [&] { strips("3 0 1 7\n"); }), HasSubstr("vertex 7"));
+}
+
+TEST(ReadPly, MoreValuesThanAnnouncedArePassedOverWhereEveryLineHasThem) {
+  const PolygonSoup soup =
+      parse_mesh(text_header + "1 2 3 0 0 1\n4 5 6 0 0 1\n7 8 9 0 0 1\n3 0 2 1 255\n", "a.ply");
+  expect_triangle(soup);
+  EXPECT_THAT(soup.notes, ElementsAre(HasSubstr("3 value(s) on each line of element 'vertex'"),
+                                      HasSubstr("1 value(s) on each line of element 'face'")));
+  EXPECT_THAT(refused(text_header + "1 2 3 0\n4 5 6\n7 8 9 0\n3 0 2 1\n"), HasSubstr("a.ply:13: "));
+}
+
+TEST(ReadPly, ValuesMayGoOnOnTheNextLine) {
+  expect_triangle(parse_mesh(text_header + "1 2\n3\n4 5 6\n7 8 9\n3 0\n2 1\n", "a.ply"));
+  // But a value that is missing is not made up by the next line's.
+  EXPECT_THAT(refused(text_header + "1 2\n4 5 6\n7 8 9\n3 0 2 1\n"), HasSubstr("more values"));
+}
+
 // The values in the order of a header, in the given byte order.
 class Binary {
  public:

@@ -101,6 +101,37 @@ TEST(ReadStl, BytesAfterTheLastTriangleAreTold) {
   EXPECT_THAT(soup.notes, testing::Contains(HasSubstr("3 bytes after the last triangle")));
 }
 
+TEST(ReadStl, ColoursArePassedOver) {
+  std::string text = as_text();
+  text.insert(text.find("  facet"), "color 0.5 0.5 0.5\n");
+  expect_two_triangles(parse_mesh(text, "a.stl"));
+}
+
+//! A tetrahedron, which is closed, with a count that may be wrong.
+std::string closed_binary(std::uint32_t count) {
+  std::string bytes(80, ' ');
+  append(bytes, count);
+  const std::array<Vec3, 4> corner = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  for (const auto& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+    for (int i = 0; i < 3; ++i) append(bytes, 0.0f);
+    for (const int v : face)
+      for (const double x : corner[v]) append(bytes, static_cast<float>(x));
+    append(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
+TEST(ReadStl, AWrongCountIsRightedByTheLengthOfAFileThatCloses) {
+  EXPECT_EQ(parse_mesh(closed_binary(4), "a.stl").notes.size(), 1u);
+  for (const std::uint32_t count : {0u, 3u, 5u, 4294967295u}) {
+    const PolygonSoup soup = parse_mesh(closed_binary(count), "a.stl");
+    EXPECT_EQ(soup.faces(), 4u) << count;
+    EXPECT_THAT(soup.notes, testing::Contains(HasSubstr("the file's length says 4"))) << count;
+  }
+  EXPECT_EQ(parse_mesh(as_binary(0), "a.stl").faces(), 2u);  // open, but none can be meant
+  EXPECT_THAT(refused(as_binary(1)), HasSubstr("promises 1 triangles, and the file has room for 2"));
+}
+
 TEST(ReadStl, BrokenFilesAreRefusedWithThePlace) {
   EXPECT_THAT(refused(as_binary(3)), HasSubstr("byte 184: the file ends after 2 of 3 triangles"));
   EXPECT_THAT(refused(as_binary(4294967295u)), HasSubstr("the file ends after 2 of 4294967295 triangles"));

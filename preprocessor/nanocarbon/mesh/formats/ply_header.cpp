@@ -14,22 +14,13 @@ namespace {
 
 using enum PlyType;
 
-constexpr std::array<std::pair<std::string_view, PlyType>, 16> type_names = {{{"char", int8},
-                                                                              {"int8", int8},
-                                                                              {"uchar", uint8},
-                                                                              {"uint8", uint8},
-                                                                              {"short", int16},
-                                                                              {"int16", int16},
-                                                                              {"ushort", uint16},
-                                                                              {"uint16", uint16},
-                                                                              {"int", int32},
-                                                                              {"int32", int32},
-                                                                              {"uint", uint32},
-                                                                              {"uint32", uint32},
-                                                                              {"float", float32},
-                                                                              {"float32", float32},
-                                                                              {"double", float64},
-                                                                              {"float64", float64}}};
+constexpr std::array<std::pair<std::string_view, PlyType>, 22> type_names = {
+    {{"char", int8},      {"int8", int8},        {"uchar", uint8},    {"uint8", uint8},
+     {"short", int16},    {"int16", int16},      {"ushort", uint16},  {"uint16", uint16},
+     {"int", int32},      {"int32", int32},      {"uint", uint32},    {"uint32", uint32},
+     {"int64", int64},    {"long", int64},       {"longlong", int64}, {"uint64", uint64},
+     {"ulong", uint64},   {"ulonglong", uint64}, {"float", float32},  {"float32", float32},
+     {"double", float64}, {"float64", float64}}};
 
 PlyType read_type(TextScanner& scanner) {
   const std::string_view word = scanner.word();
@@ -102,6 +93,8 @@ std::size_t size_of(PlyType type) {
     case uint32:
     case float32:
       return 4;
+    case int64:
+    case uint64:
     case float64:
       break;
   }

@@ -11,7 +11,7 @@
 namespace nanocarbon::mesh {
 
 //! The scalar types of PLY properties, by both their old and new names.
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 std::size_t size_of(PlyType type);
 

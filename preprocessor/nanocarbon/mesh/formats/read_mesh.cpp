@@ -25,6 +25,19 @@ bool begins_like_obj(std::string_view line) {
   return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
+bool is_utf16(std::string_view contents) {
+  if (contents.starts_with("\xFF\xFE") || contents.starts_with("\xFE\xFF")) return true;
+  if (contents.size() < 8) return false;
+  const auto is_text = [](char c) { return (c >= 32 && c < 127) || c == '\n' || c == '\r' || c == '\t'; };
+  for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+    bool all = true;
+    for (std::size_t i = 0; i < 8; i += 2)
+      all = all && is_text(contents[i + first]) && contents[i + 1 - first] == '\0';
+    if (all) return true;
+  }
+  return false;
+}
+
 [[noreturn]] void fail_unknown(std::string_view contents, const std::string& file) {
   const char* what = "is not an OFF, OBJ, PLY or STL file";
   if (contents.empty()) what = "is empty";
@@ -54,6 +67,9 @@ MeshFormat format_of(std::string_view contents, const std::string& file) {
 
 PolygonSoup parse_mesh(std::string_view contents, const std::string& file) {
   if (contents.starts_with("\xEF\xBB\xBF")) contents.remove_prefix(3);
+  if (is_utf16(contents) && !has_binary_stl_size(contents))
+    throw UserError(Failure::malformed,
+                    fmt::format("{}: the file is text in UTF-16; save it as UTF-8 or ASCII", file));
   switch (format_of(contents, file)) {
     case MeshFormat::off:
       return read_off(contents, file);

@@ -54,20 +54,22 @@ class ObjReader {
     soup_.close_face();
   }
 
-  // The vertex of a corner such as "7", "7/3", "7//2", "7/3/2" or "-1".
+  // The vertex of a corner such as "7", "7/3", "7//2", "7/3/2" or "-1"; texture coordinate and normal may be
+  // empty ("7/", "7//", "7/3/"), as some programs write them where they have none.
   VertexIndex vertex_of(std::string_view corner) {
     std::array<std::int64_t, 3> numbers = {0, 0, 0};
     const char* at = corner.data();
     const char* const end = at + corner.size();
     for (std::size_t part = 0;; ++part) {
-      const bool may_be_empty = part == 1 && at != end && *at == '/';
-      if (!may_be_empty) {
+      const bool is_empty = part > 0 && (at == end || *at == '/');
+      if (!is_empty) {
         const auto [after, error] = std::from_chars(at, end, numbers[part]);
         if (error != std::errc()) not_a_corner(corner);
         at = after;
       }
       if (at == end) break;
-      if (*at != '/' || part == 2 || ++at == end) not_a_corner(corner);
+      if (*at != '/' || part == 2) not_a_corner(corner);
+      ++at;
     }
     return vertex_of(numbers[0]);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "nanocarbon/mesh/formats/text_scanner.h"
 
@@ -48,19 +49,32 @@ void read_vertex(TextScanner& scanner, PolygonSoup& soup) {
   soup.points.emplace_back(x, y, z);
 }
 
+// A face may be wrapped over lines. Then nothing but corners may stand on the lines that follow, so that a
+// face with a corner too few is not made whole by the next one's numbers.
 void read_face(TextScanner& scanner, PolygonSoup& soup) {
   const std::uint64_t corners = scanner.count("number of corners");
   if (corners < 3)
     scanner.fail(fmt::format("face {} has {} corners", soup.faces(), corners), "remove this face");
+  bool wrapped = false;
   for (std::uint64_t i = 0; i < corners; ++i) {
-    if (scanner.at_line_end())
-      scanner.fail(fmt::format("face {} lists {} of {} corners", soup.faces(), i, corners));
+    if (scanner.at_line_end()) {
+      TextScanner next = scanner;
+      if (!next.next_line())
+        scanner.fail(fmt::format("face {} lists {} of {} corners", soup.faces(), i, corners));
+      scanner = std::move(next);
+      wrapped = true;
+    }
     const std::uint64_t vertex = scanner.count("vertex number");
     if (vertex >= soup.points.size())
       scanner.fail(fmt::format("face {} uses vertex {}, but there are {} vertices, counted from 0",
                                soup.faces(), vertex, soup.points.size()));
     soup.corners.push_back(static_cast<VertexIndex>(vertex));
   }
+  if (wrapped && !scanner.at_line_end())
+    scanner.fail(
+        fmt::format("face {} has fewer than {} corners on its own line, and more numbers follow than "
+                    "it lacks",
+                    soup.faces(), corners));
   soup.close_face();
 }
 

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/formats/byte_order.h"
@@ -26,24 +28,65 @@ class TextBody {
   void begin(const PlyElement& element, std::uint64_t index) {
     if (!scanner_.next_line())
       fail(fmt::format("the file ends after {} of {} elements '{}'", index, element.count, element.name));
+    if (index == 0) extra_ = 0;
+    index_ = index;
+    name_ = element.name;
+    wrapped_ = false;
   }
+  // Lines with more values than the header promises are taken where all of an element have the same number
+  // more, and each element is a line; otherwise a value that is missing would go unseen.
   void end() {
-    if (!scanner_.at_line_end()) fail("the line has more values than the element has properties");
+    std::size_t extra = 0;
+    while (!scanner_.word().empty()) ++extra;
+    if (index_ == 0 && !wrapped_) {
+      extra_ = extra;
+      if (extra > 0)
+        notes_.push_back(
+            fmt::format("passed over {} value(s) on each line of element '{}' that the header does "
+                        "not announce",
+                        extra, name_));
+    }
+    if (extra > extra_ || (wrapped_ && extra > 0))
+      fail("the line has more values than the element has properties");
+    if (extra < extra_ && !wrapped_)
+      fail(fmt::format("the line has {} value(s) more than the element has properties, those before it {}",
+                       extra, extra_));
   }
-  double coordinate(PlyType) { return scanner_.coordinate("coordinate"); }
+  double coordinate(PlyType) {
+    go_on();
+    return scanner_.coordinate("coordinate");
+  }
   double integer(PlyType type) {
+    go_on();
     if (type == PlyType::float32 || type == PlyType::float64) return scanner_.coordinate("integer");
     return static_cast<double>(scanner_.integer("integer"));
   }
   void skip(PlyType, std::uint64_t values) {
-    for (std::uint64_t i = 0; i < values; ++i)
+    for (std::uint64_t i = 0; i < values; ++i) {
+      go_on();
       if (scanner_.word().empty()) fail("the line has fewer values than the element has properties");
+    }
   }
+  std::vector<std::string> notes() { return std::move(notes_); }
   bool rest_is_empty() { return !scanner_.next_line(); }
   [[noreturn]] void fail(const std::string& what) { scanner_.fail(what); }
 
  private:
+  // To the next line, where the element's values go on there.
+  void go_on() {
+    if (!scanner_.at_line_end()) return;
+    TextScanner next = scanner_;
+    if (!next.next_line()) return;
+    scanner_ = std::move(next);
+    wrapped_ = true;
+  }
+
   TextScanner scanner_;
+  std::string name_;
+  std::uint64_t index_ = 0;
+  std::size_t extra_ = 0;  // values a line, beyond those announced
+  bool wrapped_ = false;
+  std::vector<std::string> notes_;
 };
 
 class BinaryBody {
@@ -59,6 +102,7 @@ class BinaryBody {
     index_ = index;
   }
   void end() {}
+  std::vector<std::string> notes() const { return {}; }
   double coordinate(PlyType type) {
     const double value = integer(type);
     if (const char* fault = coordinate_fault(value))
@@ -82,6 +126,10 @@ class BinaryBody {
         return load<std::int32_t>(at, order_);
       case PlyType::uint32:
         return load<std::uint32_t>(at, order_);
+      case PlyType::int64:
+        return static_cast<double>(load<std::int64_t>(at, order_));
+      case PlyType::uint64:
+        return static_cast<double>(load<std::uint64_t>(at, order_));
       case PlyType::float32:
         return load<float>(at, order_);
       case PlyType::float64:
@@ -175,6 +223,47 @@ void read_faces(Body& body, const PlyElement& element, PolygonSoup& soup) {
   }
 }
 
+// Each list is a strip: a triangle for each three vertices that follow each other, every second one turned. -1
+// ends a strip. Triangles that repeat a vertex only join stretches of a strip.
+template <typename Body>
+void read_strips(Body& body, const PlyElement& element, PolygonSoup& soup) {
+  const auto list = element.find("vertex_indices", "vertex_index");
+  if (!list || !element.properties[*list].list_count_type)
+    body.fail("the triangle strips have no list vertex_indices");
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    body.begin(element, i);
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (p != *list) {
+        pass_over(body, property);
+        continue;
+      }
+      std::uint64_t left = read_index(body, *property.list_count_type, "a list of length");
+      std::array<VertexIndex, 2> before = {0, 0};
+      for (std::uint64_t length = 0; left > 0; --left) {
+        const double number = body.integer(property.type);
+        if (number == -1.0) {
+          length = 0;
+          continue;
+        }
+        if (!(number >= 0.0 && number <= std::numeric_limits<VertexIndex>::max()) ||
+            number != std::floor(number))
+          body.fail(fmt::format("vertex number {} is not possible", number));
+        const auto vertex = static_cast<VertexIndex>(number);
+        const auto [a, b] = before;
+        if (length >= 2 && a != b && b != vertex && vertex != a) {
+          const bool turned = length % 2 == 1;
+          for (const VertexIndex v : {turned ? b : a, turned ? a : b, vertex}) soup.corners.push_back(v);
+          soup.close_face();
+        }
+        before = {b, vertex};
+        ++length;
+      }
+    }
+    body.end();
+  }
+}
+
 template <typename Body>
 void skip_element(Body& body, const PlyElement& element) {
   if (element.properties.empty()) return;
@@ -196,7 +285,7 @@ PolygonSoup read_body(Body body, const PlyHeader& header) {
     else if (element.name == "face" && !std::exchange(has_faces, true))
       read_faces(body, element, soup);
     else if (element.name == "tristrips")
-      body.fail("triangle strips are not supported; export the mesh with faces");
+      read_strips(body, element, soup);
     else
       skip_element(body, element);
   }
@@ -206,6 +295,7 @@ PolygonSoup read_body(Body body, const PlyHeader& header) {
       if (corner >= soup.points.size())
         body.fail(fmt::format("face {} uses vertex {}, but there are {} vertices, counted from 0", face,
                               corner, soup.points.size()));
+  soup.notes = body.notes();
   if (!body.rest_is_empty()) soup.notes.push_back("passed over what follows the last element");
   return soup;
 }

@@ -8,6 +8,7 @@
 #include <cctype>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/formats/byte_order.h"
 #include "nanocarbon/mesh/formats/text_scanner.h"
 #include "nanocarbon/mesh/join_points.h"
@@ -37,6 +38,8 @@ class TextStlReader {
         open = false;
       else if (same_word(word, "facet") && open)
         read_facet();
+      else if (same_word(word, "color") || same_word(word, "colour"))
+        continue;
       else
         scanner_.fail(fmt::format("'facet' or 'endsolid' is expected here, not {}", quoted(word)));
     }
@@ -72,6 +75,15 @@ class TextStlReader {
   PolygonSoup soup_;
 };
 
+bool is_closed(const PolygonSoup& soup) {
+  PolygonSoup joined = soup;
+  join(joined, coincident_points(joined.points));
+  const EdgeTable edges = edge_table(joined);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges.uses_of(e).size() == 1) return false;
+  return edges.size() > 0;
+}
+
 PolygonSoup read_binary(std::string_view contents, const std::string& file) {
   const auto fail = [&](std::size_t byte, const std::string& what) {
     throw UserError(Failure::malformed,
@@ -79,16 +91,23 @@ PolygonSoup read_binary(std::string_view contents, const std::string& file) {
   };
   if (contents.size() < header_bytes)
     fail(contents.size(), "the file ends within the header of a binary STL");
-  const auto promised = load<std::uint32_t>(contents.data() + 80, ByteOrder::little);
+  const std::size_t promised = load<std::uint32_t>(contents.data() + 80, ByteOrder::little);
   const std::size_t present = (contents.size() - header_bytes) / triangle_bytes;
-  if (promised > present)
+  const bool whole = (contents.size() - header_bytes) % triangle_bytes == 0;
+  const auto cut_short = [&] {
     fail(contents.size(), fmt::format("the file ends after {} of {} triangles", present, promised));
+  };
+  if (promised > present && !whole) cut_short();
+  // A program that streams a file may leave the count at zero or at a guess; the length tells better, where
+  // it is that of whole triangles and they close.
+  const bool count_is_wrong = whole && promised != present;
+  const std::size_t triangles = count_is_wrong ? present : promised;
 
   PolygonSoup soup;
-  soup.points.reserve(3 * std::size_t{promised});
-  soup.corners.reserve(3 * std::size_t{promised});
-  soup.offsets.reserve(std::size_t{promised} + 1);
-  for (std::size_t triangle = 0; triangle < promised; ++triangle) {
+  soup.points.reserve(3 * triangles);
+  soup.corners.reserve(3 * triangles);
+  soup.offsets.reserve(triangles + 1);
+  for (std::size_t triangle = 0; triangle < triangles; ++triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       Vec3 point;
       for (std::size_t d = 0; d < 3; ++d) {
@@ -102,7 +121,16 @@ PolygonSoup read_binary(std::string_view contents, const std::string& file) {
     }
     soup.close_face();
   }
-  const std::size_t rest = contents.size() - header_bytes - promised * triangle_bytes;
+  if (count_is_wrong) {
+    if (promised > present && !is_closed(soup)) cut_short();
+    if (promised > 0 && !is_closed(soup))
+      fail(80,
+           fmt::format("the header promises {} triangles, and the file has room for {}", promised, present));
+    soup.notes.push_back(
+        fmt::format("the header promises {} triangles; the file's length says {}, and these were read",
+                    promised, present));
+  }
+  const std::size_t rest = contents.size() - header_bytes - triangles * triangle_bytes;
   if (rest > 0) soup.notes.push_back(fmt::format("passed over {} bytes after the last triangle", rest));
   return soup;
 }

@@ -10,8 +10,9 @@ namespace nanocarbon::mesh {
 
 //! \brief Reads an STL file; corners at exactly the same coordinates become one vertex, since STL has no
 //! vertices.
-//! \details Normals and attributes are passed over (they may even be NaN). Several solids in a text file
-//! are one mesh.
+//! \details Normals, colours and attributes are passed over (they may even be NaN). Several solids in a text
+//! file are one mesh. Where a binary file's count is zero, or is wrong and the file is one of whole triangles that
+//! close, the length of the file is believed instead.
 //! \throw UserError (malformed)
 PolygonSoup read_stl(std::string_view contents, const std::string& file);
 
