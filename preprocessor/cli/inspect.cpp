@@ -3,15 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/mesh/diagnose.h"
 #include "nanocarbon/mesh/diagnosis.h"
-#include "nanocarbon/mesh/formats/read_mesh.h"
-#include "nanocarbon/mesh/repair/repair_surface.h"
+#include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/mesh/repair/drop_specks.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -21,12 +23,6 @@ using Json = nlohmann::ordered_json;
 struct InspectCommand {
   std::string mesh;
   bool json = false;
-};
-
-//! The file as it is, and what repairs would make of it.
-struct Inspection {
-  mesh::MeshDiagnosis diagnosis;
-  mesh::RepairedSurface repaired;
 };
 
 Json findings_json(const mesh::MeshDiagnosis& diagnosis, mesh::Severity wanted) {
@@ -48,10 +44,21 @@ Json findings_json(const mesh::MeshDiagnosis& diagnosis, mesh::Severity wanted) 
 
 Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Json to_json(const std::string& file, const Inspection& inspection) {
-  const mesh::MeshDiagnosis& d = inspection.diagnosis;
+// Pieces with so small a share of the area are hardly meant to be molecules.
+constexpr double share_of_specks = 1e-3;
+
+std::size_t specks_of(const mesh::LoadedSurface& surface) {
+  const std::vector<double> areas = mesh::piece_areas(surface.mesh);
+  const double least = share_of_specks * std::accumulate(areas.begin(), areas.end(), 0.0);
+  return static_cast<std::size_t>(
+      std::count_if(areas.begin(), areas.end(), [&](double a) { return a < least; }));
+}
+
+Json to_json(const std::string& file, const mesh::LoadedSurface& surface) {
+  const mesh::MeshDiagnosis& d = surface.diagnosis;
   const mesh::MeshTopology& t = d.topology;
   Json json = {{"file", file},
+               {"as_read", {{"vertices", surface.vertices_read}, {"faces", surface.faces_read}}},
                {"vertices", d.points},
                {"faces", d.faces},
                {"edges", t.edges},
@@ -77,21 +84,25 @@ Json to_json(const std::string& file, const Inspection& inspection) {
                           {"orientable", p.orientable},
                           {"genus", p.genus()}});
   json["piece"] = std::move(components);
-  json["usable"] = inspection.repaired.diagnosis.usable();
-  json["repairs"] = inspection.repaired.repairs;
-  json["warnings"] = findings_json(inspection.repaired.diagnosis, mesh::Severity::warning);
-  json["reasons"] = findings_json(inspection.repaired.diagnosis, mesh::Severity::reason);
+  json["specks"] = specks_of(surface);
+  json["usable"] = d.usable();
+  json["repairs"] = surface.repairs;
+  json["warnings"] = findings_json(d, mesh::Severity::warning);
+  json["reasons"] = findings_json(d, mesh::Severity::reason);
   return json;
 }
 
-void print_text(const std::string& file, const Inspection& inspection) {
-  const mesh::MeshDiagnosis& d = inspection.diagnosis;
+void print_text(const std::string& file, const mesh::LoadedSurface& surface) {
+  const mesh::MeshDiagnosis& d = surface.diagnosis;
   const mesh::MeshTopology& t = d.topology;
   const auto line = [](std::string_view name, const std::string& value) {
     fmt::print("  {:<18}{}\n", name, value);
   };
   fmt::print("{}\n", file);
-  line("vertices, faces", fmt::format("{}, {}", d.points, d.faces));
+  const bool as_read = d.points == surface.vertices_read && d.faces == surface.faces_read;
+  line("vertices, faces",
+       fmt::format("{}, {}", d.points, d.faces) +
+           (as_read ? "" : fmt::format(" (in the file {}, {})", surface.vertices_read, surface.faces_read)));
   line("pieces", fmt::format("{}", t.components));
   line("boundary loops", fmt::format("{}", t.boundary_loops));
   line("orientable", t.orientable ? "yes" : "no");
@@ -104,30 +115,33 @@ void print_text(const std::string& file, const Inspection& inspection) {
     line("bounding box", fmt::format("{:.6g} x {:.6g} x {:.6g}", extent.x(), extent.y(), extent.z()));
   }
   line("area", fmt::format("{:.6g}", d.area) + (d.volume ? fmt::format(", volume {:.6g}", *d.volume) : ""));
-  for (const std::string& repair : inspection.repaired.repairs) line("repaired", repair);
-  for (const mesh::MeshFinding& finding : inspection.repaired.diagnosis.findings) {
+  if (const std::size_t specks = specks_of(surface))
+    line("specks",
+         fmt::format("{} pieces have less than a thousandth of the area each: build --drop-specks leaves "
+                     "out those without room for a cage of carbon",
+                     specks));
+  for (const std::string& repair : surface.repairs) line("repaired", repair);
+  for (const mesh::MeshFinding& finding : d.findings) {
     if (mesh::severity(finding.problem) == mesh::Severity::warning) line("warning", finding.text);
     if (mesh::severity(finding.problem) == mesh::Severity::reason) line("CANNOT BE USED", finding.text);
   }
-  if (inspection.repaired.diagnosis.usable()) line("usable", "yes: nanocarbon build takes it");
+  if (d.usable()) line("usable", "yes: nanocarbon build takes it");
 }
 
 void run(const InspectCommand& command) {
-  mesh::PolygonSoup soup = mesh::read_mesh(command.mesh);
-  Inspection inspection{mesh::diagnose(soup), {}};
-  inspection.repaired = mesh::repair_surface(std::move(soup));
+  const mesh::LoadedSurface surface = mesh::examine_surface(command.mesh);
   if (command.json)
-    fmt::print("{}\n", to_json(command.mesh, inspection).dump(2));
+    fmt::print("{}\n", to_json(command.mesh, surface).dump(2));
   else
-    print_text(command.mesh, inspection);
-  if (!inspection.repaired.diagnosis.usable()) throw CLI::RuntimeError(static_cast<int>(Failure::unsuitable));
+    print_text(command.mesh, surface);
+  if (!surface.diagnosis.usable()) throw CLI::RuntimeError(static_cast<int>(Failure::unsuitable));
 }
 
 }  // namespace
 
 void add_inspect(CLI::App& app) {
-  CLI::App& sub =
-      *app.add_subcommand("inspect", "Tell what a mesh is, and every reason why it could not be used");
+  CLI::App& sub = *app.add_subcommand(
+      "inspect", "Tell what a mesh is once repaired, and every reason why it could not be used");
   const auto command = std::make_shared<InspectCommand>();
   sub.add_option("MESH", command->mesh, "Mesh file: OFF, OBJ, PLY or STL, text or binary")->required();
   sub.add_flag("--json", command->json, "Print JSON");

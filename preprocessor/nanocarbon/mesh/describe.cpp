@@ -60,7 +60,7 @@ Words words_for(MeshProblem problem) {
       break;
   }
   return {"vertex lies exactly on another one", "vertices lie exactly on others",
-          "join them where the surface should be connected"};
+          "the surface touches itself there, and atoms may come too close"};
 }
 
 }  // namespace

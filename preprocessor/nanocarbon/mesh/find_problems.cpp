@@ -76,11 +76,16 @@ void find_in_topology(const PolygonSoup& soup, const EdgeTable& edges, const Mes
       findings.add(MeshProblem::inconsistent_winding, {edges.low[e], edges.high[e]}, faces_at(edges, e));
 }
 
-void find_intersections(const PolygonSoup& soup, const MeshTopology& topology, Findings& findings) {
+// Parts that touch in vertices and edges at the same places do not intersect there.
+void find_intersections(const PolygonSoup& soup, const CoincidentPoints& coincident,
+                        const MeshTopology& topology, Findings& findings) {
   TriangleMesh mesh;
   mesh.points = soup.points;
+  mesh.triangles.reserve(soup.faces());
+  const auto place = [&](VertexIndex v) { return coincident.representative[v]; };
   for (std::size_t face = 0; face < soup.faces(); ++face)
-    mesh.triangles.push_back({soup.face(face)[0], soup.face(face)[1], soup.face(face)[2]});
+    mesh.triangles.push_back(
+        {place(soup.face(face)[0]), place(soup.face(face)[1]), place(soup.face(face)[2])});
   const SelfIntersections found = self_intersections(mesh);
   for (const bool between_components : {true, false})
     for (const auto& [first, second] : found.pairs)
@@ -90,12 +95,11 @@ void find_intersections(const PolygonSoup& soup, const MeshTopology& topology, F
   if (!found.complete) findings.add(MeshProblem::search_given_up, {}, {});
 }
 
-void find_in_points(const PolygonSoup& soup, Findings& findings) {
+void find_in_points(const PolygonSoup& soup, const CoincidentPoints& coincident, Findings& findings) {
   std::vector<bool> used(soup.points.size(), false);
   for (const VertexIndex corner : soup.corners) used[corner] = true;
   for (VertexIndex v = 0; v < soup.points.size(); ++v)
     if (!used[v]) findings.add(MeshProblem::unused_vertex, {v}, {});
-  const CoincidentPoints coincident = coincident_points(soup.points);
   for (VertexIndex v = 0; v < soup.points.size(); ++v)
     if (coincident.representative[v] != v)
       findings.add(MeshProblem::duplicate_vertex, {coincident.representative[v], v}, {});
@@ -110,8 +114,10 @@ void find_problems(const PolygonSoup& soup, const EdgeTable& edges, MeshDiagnosi
   find_in_topology(soup, edges, diagnosis.topology, findings);
   if (diagnosis.volume && *diagnosis.volume < 0.0) findings.add(MeshProblem::inside_out, {}, {});
   // Polygons have no one surface to intersect with until they are cut into triangles.
-  if (diagnosis.most_corners_of_a_face == 3) find_intersections(soup, diagnosis.topology, findings);
-  find_in_points(soup, findings);
+  const CoincidentPoints coincident = coincident_points(soup.points);
+  if (diagnosis.most_corners_of_a_face == 3)
+    find_intersections(soup, coincident, diagnosis.topology, findings);
+  find_in_points(soup, coincident, findings);
   for (MeshFinding& finding : diagnosis.findings) finding.text = describe(finding);
 }
 

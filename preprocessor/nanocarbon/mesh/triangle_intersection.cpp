@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/triangle_intersection.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
@@ -98,6 +99,10 @@ bool intersect(const TriangleMesh& mesh, const Triangle& first, const Triangle& 
   if (shared == 1) return meets(s.b, s.c, t) || meets(t.b, t.c, s);
   if (shared == 3) return true;
   // With a common edge they meet only when folded flat upon each other.
+  const Vec3 along = s.b - s.a;
+  const Vec3 one_side = along.cross(s.c - s.a), other_side = along.cross(t.c - s.a);
+  const double facing = one_side.dot(other_side);  // below zero for certain: they go to different sides
+  if (facing < -1e-9 * one_side.norm() * other_side.norm()) return false;
   if (orientation(s.a, s.b, s.c, t.c) != 0) return false;
   const int axis = projection_axis(s);
   return orientation_2d(s.a, s.b, s.c, axis) == orientation_2d(s.a, s.b, t.c, axis);

@@ -2,6 +2,7 @@
 #include "nanocarbon/mesh/formats/load_surface.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -10,19 +11,44 @@
 #include "nanocarbon/mesh/repair/repair_surface.h"
 
 namespace nanocarbon::mesh {
+namespace {
 
-LoadedSurface load_surface(const std::filesystem::path& path) {
-  RepairedSurface repaired = repair_surface(read_mesh(path));
-  LoadedSurface surface{
-      std::move(repaired.mesh), std::move(repaired.repairs), {}, std::move(repaired.diagnosis)};
-  std::string reasons;
-  for (const MeshFinding& finding : surface.diagnosis.findings) {
-    if (severity(finding.problem) == Severity::reason) reasons += "\n  - " + finding.text;
+LoadedSurface examine(const std::filesystem::path& path, double close_holes,
+                      std::vector<std::string>& mended) {
+  PolygonSoup soup = read_mesh(path);
+  LoadedSurface surface;
+  surface.vertices_read = soup.points.size();
+  surface.faces_read = soup.faces();
+  RepairedSurface repaired = repair_surface(std::move(soup), close_holes);
+  mended = std::move(repaired.mended);
+  surface.mesh = std::move(repaired.mesh);
+  surface.repairs = std::move(repaired.repairs);
+  surface.diagnosis = std::move(repaired.diagnosis);
+  for (const MeshFinding& finding : surface.diagnosis.findings)
     if (severity(finding.problem) == Severity::warning) surface.warnings.push_back(finding.text);
-  }
+  return surface;
+}
+
+}  // namespace
+
+LoadedSurface examine_surface(const std::filesystem::path& path) {
+  std::vector<std::string> mended;
+  return examine(path, 0.0, mended);
+}
+
+LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions& options) {
+  std::vector<std::string> mended;
+  LoadedSurface surface = examine(path, options.close_holes, mended);
+  std::string reasons;
+  for (const MeshFinding& finding : surface.diagnosis.findings)
+    if (severity(finding.problem) == Severity::reason) reasons += "\n  - " + finding.text;
   if (!reasons.empty())
     throw UserError(Failure::unsuitable,
                     fmt::format("{}: the mesh cannot be used:{}", path.string(), reasons));
+  if (!options.repair && !mended.empty())
+    throw UserError(Failure::unsuitable,
+                    fmt::format("{}: the mesh needs repairs, which --no-repair forbids:\n  - {}",
+                                path.string(), fmt::join(mended, "\n  - ")));
   return surface;
 }
 

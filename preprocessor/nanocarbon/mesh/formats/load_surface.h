@@ -11,16 +11,29 @@
 namespace nanocarbon::mesh {
 
 //! A surface that is fit for use: a 2-manifold, closed or with boundary, of one or more components that do
-//! not intersect, consistently wound (closed ones outward), every triangle with three vertices and an area.
+//! not intersect (they may touch in vertices and edges), consistently wound (closed ones outward), every
+//! triangle with three vertices and an area.
 struct LoadedSurface {
   TriangleMesh mesh;
   std::vector<std::string> repairs;   //!< what was done to the file's contents to get there
   std::vector<std::string> warnings;  //!< what is doubtful and stays
   MeshDiagnosis diagnosis;            //!< of the mesh as it is here
+  std::size_t vertices_read = 0;      //!< of the file as it is
+  std::size_t faces_read = 0;
 };
 
-//! \brief Reads a mesh file and repairs what can be mended.
-//! \throw UserError (unreadable, malformed) as read_mesh(), or (unsuitable) with every reason against it
-LoadedSurface load_surface(const std::filesystem::path& path);
+struct LoadOptions {
+  bool repair = true;        //!< false: a mesh that needs repairs is refused, with what they are
+  double close_holes = 0.0;  //!< radius below which boundary loops are closed, mesh units
+};
+
+//! \brief Reads a mesh file and repairs what can be mended; what cannot is in the diagnosis, and the mesh is
+//! then not fit for use.
+//! \throw UserError (unreadable, malformed) as read_mesh()
+LoadedSurface examine_surface(const std::filesystem::path& path);
+
+//! \brief The same, for use.
+//! \throw UserError also (unsuitable) with every reason against it
+LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions& options = {});
 
 }  // namespace nanocarbon::mesh

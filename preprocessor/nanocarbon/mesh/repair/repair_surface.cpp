@@ -8,8 +8,11 @@
 #include "nanocarbon/mesh/diagnose.h"
 #include "nanocarbon/mesh/drop_faces.h"
 #include "nanocarbon/mesh/join_points.h"
+#include "nanocarbon/mesh/repair/close_holes.h"
+#include "nanocarbon/mesh/repair/drop_folds.h"
 #include "nanocarbon/mesh/repair/flip_slivers.h"
-#include "nanocarbon/mesh/repair/join_seams.h"
+#include "nanocarbon/mesh/repair/separate_sheets.h"
+#include "nanocarbon/mesh/repair/sew_boundaries.h"
 #include "nanocarbon/mesh/triangulate.h"
 #include "nanocarbon/mesh/winding.h"
 
@@ -20,6 +23,25 @@ using Repairs = std::vector<std::string>;
 
 void tell(Repairs& repairs, const char* what, std::size_t count) {
   if (count > 0) repairs.push_back(fmt::format("{}: {}", what, count));
+}
+
+// Which vertices are one is decided by their places in every format alike, as it has to be in STL, so that the
+// same surface is the same mesh whatever file it comes in.
+void join_and_drop(PolygonSoup& soup, Repairs& repairs) {
+  const CoincidentPoints coincident = coincident_points(soup.points);
+  if (coincident.duplicates > 0) join(soup, coincident);
+  tell(repairs, "joined vertices to others at the same place", coincident.duplicates);
+  tell(repairs, "mended or dropped faces that repeat a vertex", drop_repeated_vertices(soup));
+  tell(repairs, "dropped second copies of faces", drop_copied_faces(soup));
+  const DroppedFolds folds = drop_folds(soup);
+  tell(repairs, "dropped faces folded upon each other", folds.of_fins);
+  tell(repairs, "dropped the second side of sheets given for both sides, faces", folds.of_sheets);
+}
+
+void separate(PolygonSoup& soup, Repairs& repairs) {
+  const SeparatedSheets separated = separate_sheets(soup);
+  tell(repairs, "separated sheets that met at edges", separated.edges);
+  tell(repairs, "separated sheets that met at vertices", separated.vertices);
 }
 
 void wind_and_flip(TriangleMesh& mesh, Repairs& repairs) {
@@ -34,23 +56,32 @@ void wind_and_flip(TriangleMesh& mesh, Repairs& repairs) {
 
 }  // namespace
 
-RepairedSurface repair_surface(PolygonSoup soup) {
+RepairedSurface repair_surface(PolygonSoup soup, double close_holes) {
   RepairedSurface result;
   result.repairs = soup.notes;
-  Repairs& repairs = result.repairs;
-  if (auto joined = join_seams(soup)) repairs.push_back(*joined);
-  tell(repairs, "mended or dropped faces that repeat a vertex", drop_repeated_vertices(soup));
-  tell(repairs, "dropped second copies of faces", drop_copied_faces(soup));
-  tell(repairs, "dropped vertices that no face uses", drop_unused_points(soup));
+  const auto tell_mended = [&] {
+    result.repairs.insert(result.repairs.end(), result.mended.begin(), result.mended.end());
+  };
+  join_and_drop(soup, result.mended);
+  if (auto sewed = sew_boundaries(soup)) result.mended.push_back(*sewed);
+  separate(soup, result.mended);
+  tell(result.mended, "dropped vertices that no face uses", drop_unused_points(soup));
   if (!can_be_triangulated(soup)) {
+    tell_mended();
     result.diagnosis = diagnose(soup);
     return result;
   }
   Triangulated triangulated = triangulate(soup);
   result.mesh = std::move(triangulated.mesh);
-  tell(repairs, "cut polygons into triangles", triangulated.polygons);
-  tell(repairs, "added a vertex at the centre of polygons", triangulated.centres_added);
-  wind_and_flip(result.mesh, repairs);
+  tell(result.repairs, "cut polygons into triangles", triangulated.polygons);
+  tell(result.repairs, "added a vertex at the centre of polygons", triangulated.centres_added);
+  wind_and_flip(result.mesh, result.mended);
+  tell_mended();
+  if (close_holes > 0.0) {
+    const MeshTopology topology = mesh_topology(result.mesh);
+    if (topology.manifold() && topology.consistently_wound())
+      tell(result.repairs, "closed boundary loops as asked", mesh::close_holes(result.mesh, close_holes));
+  }
   result.diagnosis = diagnose(soup_of(result.mesh));
   return result;
 }

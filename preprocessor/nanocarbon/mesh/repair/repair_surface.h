@@ -13,15 +13,19 @@ namespace nanocarbon::mesh {
 //! A mesh after everything that can be mended without changing the shape has been.
 struct RepairedSurface {
   TriangleMesh mesh;
-  std::vector<std::string> repairs;  //!< what was done, a sentence each
-  MeshDiagnosis diagnosis;           //!< of the mesh after the repairs
+  std::vector<std::string>
+      repairs;  //!< what was done, a sentence each, with what the reader and polygons needed
+  std::vector<std::string> mended;  //!< those of them that changed the mesh
+  MeshDiagnosis diagnosis;          //!< of the mesh after the repairs
 };
 
-//! \brief Triangulates polygons, joins coincident vertices along seams, drops unused vertices, faces that
-//! repeat a vertex and second copies of faces, winds faces alike, turns closed components that are inside-out
-//! and flips edges of faces without area.
+//! \brief Joins vertices at the same place, drops unused vertices, faces that repeat a vertex, second copies of
+//! faces and folds, sews boundaries that nearly coincide, separates sheets that meet at edges and vertices,
+//! triangulates polygons, winds faces alike, turns closed components that are inside-out and flips edges of
+//! faces without area.
 //! \details Never throws: what cannot be mended is in the diagnosis. Points and order are kept where
 //! nothing is dropped.
-RepairedSurface repair_surface(PolygonSoup soup);
+//! \param close_holes radius in mesh units below which boundary loops are closed (close_holes.h)
+RepairedSurface repair_surface(PolygonSoup soup, double close_holes = 0.0);
 
 }  // namespace nanocarbon::mesh

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/repair/drop_specks.h"
+
+#include <utility>
+
+#include "nanocarbon/core/disjoint_sets.h"
+#include "nanocarbon/mesh/join_points.h"
+#include "nanocarbon/mesh/measures.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+struct Pieces {
+  std::vector<std::uint32_t> of_face;
+  std::vector<double> areas;
+};
+
+Pieces pieces_of(const TriangleMesh& mesh) {
+  DisjointSets vertices(mesh.points.size());
+  for (const Triangle& t : mesh.triangles) {
+    vertices.join(t[0], t[1]);
+    vertices.join(t[0], t[2]);
+  }
+  constexpr std::uint32_t unknown = std::uint32_t(-1);
+  std::vector<std::uint32_t> piece(mesh.points.size(), unknown);
+  Pieces pieces;
+  for (const Triangle& t : mesh.triangles) {
+    std::uint32_t& name = piece[vertices.find(t[0])];
+    if (name == unknown) {
+      name = static_cast<std::uint32_t>(pieces.areas.size());
+      pieces.areas.push_back(0.0);
+    }
+    pieces.of_face.push_back(name);
+    pieces.areas[name] += 0.5 * area_normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]).norm();
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::vector<double> piece_areas(const TriangleMesh& mesh) { return pieces_of(mesh).areas; }
+
+std::size_t drop_specks(TriangleMesh& mesh, double least_area) {
+  const Pieces pieces = pieces_of(mesh);
+  std::size_t dropped = 0;
+  for (const double area : pieces.areas) dropped += area < least_area;
+  if (dropped == 0) return 0;
+  PolygonSoup kept;
+  kept.points = std::move(mesh.points);
+  for (FaceIndex face = 0; face < mesh.triangles.size(); ++face) {
+    if (pieces.areas[pieces.of_face[face]] < least_area) continue;
+    kept.corners.insert(kept.corners.end(), mesh.triangles[face].begin(), mesh.triangles[face].end());
+    kept.close_face();
+  }
+  drop_unused_points(kept);
+  mesh.points = std::move(kept.points);
+  mesh.triangles.resize(kept.faces());
+  for (std::size_t corner = 0; corner < kept.corners.size(); ++corner)
+    mesh.triangles[corner / 3][corner % 3] = kept.corners[corner];
+  return dropped;
+}
+
+}  // namespace nanocarbon::mesh
