@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "nanocarbon/mesh/measures.h"
@@ -65,7 +66,7 @@ TEST(FeatureSize, AThinTorusIsAThinPartOfItsRadius) {
 TEST(FeatureSize, TwoSidesCloserThanGraphiteAreAThinPlate) {
   const FeatureReport report = check(box(Vec3(40, 40, 2)));
   ASSERT_FALSE(report.ok());
-  EXPECT_EQ(report.problems.front().kind, FeatureKind::thin_plate);
+  EXPECT_EQ(report.problems.front().kind, FeatureKind::thin_wall);
   EXPECT_NEAR(report.problems.front().size, 2, 0.05);
   EXPECT_TRUE(check(box(Vec3(40, 40, 4))).ok());
 }
@@ -86,6 +87,40 @@ TEST(FeatureSize, ShellsWithinEachOtherLeaveANarrowGap) {
   const FeatureReport report = check(joined(test::sphere(10, 4), test::sphere(12, 4)));
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.problems.front().kind, FeatureKind::narrow_gap);
+}
+
+//! A flat sheet with a round hole in the middle.
+TriangleMesh annulus(double inner, double outer) {
+  return test::grid(60, 40, {true, false}, [&](double u, double v) {
+    const double a = 2 * std::numbers::pi * u, r = outer + (inner - outer) * v;
+    return Vec3(r * std::cos(a), r * std::sin(a), 0.0);
+  });
+}
+
+TEST(FeatureSize, AHoleThatCarbonWouldCloseIsFound) {
+  const FeatureReport report = check(annulus(1.7, 50));
+  ASSERT_EQ(report.problems.size(), 1u);
+  EXPECT_EQ(report.problems.front().kind, FeatureKind::small_hole);
+  EXPECT_NEAR(report.problems.front().size, 1.7, 0.02);
+  EXPECT_LT(report.problems.front().where.norm(), 1e-9);
+  EXPECT_NEAR(report.enlargement, FeatureLimits().hole_radius / 1.7, 0.02);
+  EXPECT_TRUE(check(annulus(6, 50)).ok());
+}
+
+TEST(FeatureSize, TheEndOfATubeAndTheOutlineOfASheetAreNoHoles) {
+  EXPECT_TRUE(check(test::open_tube(2.5, 30, 24, 60)).ok());
+  EXPECT_TRUE(check(test::sheet(4, 4, 4, 4)).ok());
+}
+
+// What is said to be enough is, as long as nothing but the size changes.
+TEST(FeatureSize, TheEnlargementIsEnough) {
+  for (const TriangleMesh& surface : {test::torus(20, 1.5, 160, 20), box(Vec3(40, 40, 2))}) {
+    const FeatureReport report = check(surface);
+    ASSERT_FALSE(report.ok());
+    TriangleMesh larger = surface;
+    for (Vec3& p : larger.points) p *= 1.02 * report.enlargement;
+    EXPECT_TRUE(check(larger).ok());
+  }
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ SurfaceGuide::SurfaceGuide(const TriangleMesh& surface, double spacing)
       exact_normals_(angle_weighted_normals(mesh_)),
       normals_(exact_normals_),
       boundary_in_(mesh_.points.size(), no_half_edge),
-      tree_(std::make_unique<mesh::NearestPoint>(mesh_)) {
+      tree_(std::make_unique<Tree>()) {
   double sum = 0;
   for (HalfEdgeIndex h = 0; h < table_.half_edges(); ++h) {
     sum += (at(CornerTable::next(h)) - at(h)).norm();
@@ -116,7 +116,8 @@ Foot SurfaceGuide::follow(const Vec3& p, std::uint32_t triangle) const {
 }
 
 Foot SurfaceGuide::nearest(const Vec3& p) const {
-  return closest_on(p, static_cast<std::uint32_t>(tree_->nearest(p).triangle));
+  std::call_once(tree_->built, [&] { tree_->search.emplace(mesh_); });
+  return closest_on(p, tree_->search->nearest(p).triangle);
 }
 
 Foot SurfaceGuide::nearest(const Vec3& p, const Vec3& facing, std::uint32_t triangle) const {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include "nanocarbon/mesh/nearest_point.h"
@@ -61,7 +63,12 @@ class SurfaceGuide {
   std::vector<Vec3> normals_;
   std::vector<HalfEdgeIndex> boundary_in_;  //!< per vertex: the boundary half-edge that ends there
   double mean_edge_ = 0;
-  std::unique_ptr<mesh::NearestPoint> tree_;
+  //! Built when the nearest point of all is first asked for, which not every user does; by one thread.
+  struct Tree {
+    std::once_flag built;
+    std::optional<mesh::NearestPoint> search;
+  };
+  std::unique_ptr<Tree> tree_;
 };
 
 }  // namespace nanocarbon::crystal

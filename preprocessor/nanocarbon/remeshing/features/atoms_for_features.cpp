@@ -23,34 +23,52 @@ struct TwoDigits {
   }
 };
 
-// By how much lengths should grow for the worst problem.
-double enlargement(const FeatureReport& report) {
-  return report.problems.front().needed / report.problems.front().size;
-}
+// Triangles that are looked at in all to find a smaller number than the first that does.
+constexpr std::size_t most_facets = 300'000;
+constexpr int most_checks = 8;
 
 }  // namespace
 
 std::optional<std::size_t> atoms_for_features(const TriangleMesh& surface, double atoms,
-                                              const FeatureLimits& limits, unsigned threads) {
+                                              const FeatureReport& report, const FeatureLimits& limits,
+                                              unsigned threads) {
   const double most = std::max(3e5, 4 * atoms);
+  std::size_t facets = 0;
   const auto check = [&](double number) {
     TriangleMesh scaled = surface;
     for (Vec3& p : scaled.points) p *= std::sqrt(number / atoms);
-    return check_features(scaled, limits, threads);
+    FeatureReport checked = check_features(scaled, limits, threads);
+    facets += checked.facets;
+    return checked;
   };
-  TwoDigits refused = TwoDigits::from(atoms);
-  TwoDigits taken = refused;
-  for (FeatureReport report = check(taken.value()); !report.ok(); report = check(taken.value())) {
-    refused = taken;
-    const double grown = taken.value() * enlargement(report) * enlargement(report);
-    if (!(grown <= most)) return std::nullopt;
-    taken = {std::max(TwoDigits::from(grown).rank, refused.rank + 1)};
+  const auto grown = [](double number, const FeatureReport& r) {
+    return number * r.enlargement * r.enlargement;
+  };
+  // Ranks below this are refused, or fewer than the surface has room for.
+  std::size_t least = TwoDigits::from(atoms).rank;
+  double wanted = grown(atoms, report);
+  std::optional<TwoDigits> taken;
+  for (int checks = 0; !taken; ++checks) {
+    if (!(wanted <= most) || checks == most_checks) return std::nullopt;
+    const TwoDigits next{std::max(TwoDigits::from(wanted).rank, least)};
+    const FeatureReport checked = check(next.value());
+    if (checked.ok()) taken = next;
+    least = checked.ok() ? least : next.rank + 1;
+    wanted = grown(next.value(), checked);
   }
-  while (refused.rank + 1 < taken.rank) {
-    const TwoDigits middle{(refused.rank + taken.rank) / 2};
-    (check(middle.value()).ok() ? taken : refused) = middle;
+  // Smaller ones are tried first where they are most likely, next below.
+  std::size_t step = 1;
+  while (least < taken->rank && facets < most_facets) {
+    const TwoDigits next{std::max(least, taken->rank - std::min(step, taken->rank))};
+    if (check(next.value()).ok()) {
+      taken = next;
+      step *= 2;
+    } else {
+      least = next.rank + 1;
+      step = std::max<std::size_t>(1, (taken->rank - least) / 2);
+    }
   }
-  return static_cast<std::size_t>(std::llround(taken.value()));
+  return static_cast<std::size_t>(std::llround(taken->value()));
 }
 
 }  // namespace nanocarbon::features

@@ -10,15 +10,18 @@ namespace nanocarbon::features {
 
 //! \brief The next number of atoms that a shape with features that are too small may be asked to hold.
 //!
-//! The smallest number of two digits, within what was searched, that check_features() itself has nothing
-//! against. An enlargement computed from a problem alone is wrong either way, for normals are smoothed over a
-//! length that does not grow with the shape. For the same reason a still larger number may be refused again,
-//! where a groove that had been smoothed over shows as a gap.
+//! A number of two digits that check_features() itself has nothing against. It follows from the thinnest places
+//! as they were seen, and is checked; where that takes fewer than 300,000 triangles in all, smaller numbers are
+//! tried, too, and the result is the smallest, within what was searched. For normals are smoothed over a length
+//! that does not grow with the shape, so that the places look different at another size. For the same reason a
+//! still larger number may be refused again, where a groove that had been smoothed over shows as a gap.
 //! \param surface in Angstrom, with problems at this size
 //! \param atoms that it has room for, not rounded
+//! \param report what check_features() said of it
 //! \return none where no number up to 300,000, or four times those, would do, as for a long wedge sharper
 //! than 30 degrees
 std::optional<std::size_t> atoms_for_features(const TriangleMesh& surface, double atoms,
-                                              const FeatureLimits& limits = {}, unsigned threads = 1);
+                                              const FeatureReport& report, const FeatureLimits& limits = {},
+                                              unsigned threads = 1);
 
 }  // namespace nanocarbon::features

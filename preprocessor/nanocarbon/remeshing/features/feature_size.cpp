@@ -16,6 +16,13 @@ namespace {
 
 // An equilateral triangle for each atom has this edge, sqrt(3) bonds of 1.42 Angstrom.
 constexpr double ring_spacing = 2.46;
+// Facets this near to one that is measured, which face as it does, are taken to be as it is.
+constexpr double patch_radius = 0.6;  // Angstrom
+constexpr double patch_cosine = 0.97;
+// An enlargement is sought between 1 and this, to this many halvings of its logarithm.
+constexpr double largest_enlargement = 1e3;
+constexpr int halvings = 10;
+
 //! Whether the surface goes all the way round a centre: a limb does, a plate and its rim do not.
 bool goes_round(const Facets& facets, const Vec3& centre, double width) {
   const double reach = 0.9 * width;
@@ -49,15 +56,42 @@ bool goes_round(const Facets& facets, const Vec3& centre, double width) {
 using Shortfall = std::vector<double>;
 
 struct Shortfalls {
-  Shortfall part, plate, gap;
+  Shortfall part, wall, gap;
 };
 
-Shortfalls measure(const Facets& facets, const FeatureLimits& limits, unsigned threads) {
+//! For every facet the one that is measured for it: patches grown over neighbours around a first one.
+std::vector<std::uint32_t> patches(const crystal::SurfaceGuide& guide, const Facets& facets) {
+  constexpr std::uint32_t unassigned = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> measured(facets.centres.size(), unassigned), waiting;
+  for (std::uint32_t first = 0; first < measured.size(); ++first) {
+    if (measured[first] != unassigned) continue;
+    measured[first] = first;
+    waiting.assign(1, first);
+    while (!waiting.empty()) {
+      const std::uint32_t t = waiting.back();
+      waiting.pop_back();
+      for (crystal::HalfEdgeIndex h = 3 * t; h < 3 * t + 3; ++h) {
+        const crystal::HalfEdgeIndex o = guide.table().twin(h);
+        if (o == crystal::no_half_edge || measured[o / 3] != unassigned) continue;
+        if ((facets.centres[o / 3] - facets.centres[first]).squaredNorm() > patch_radius * patch_radius ||
+            facets.normals[o / 3].dot(facets.normals[first]) < patch_cosine)
+          continue;
+        measured[o / 3] = first;
+        waiting.push_back(o / 3);
+      }
+    }
+  }
+  return measured;
+}
+
+Shortfalls measure(const Facets& facets, const std::vector<std::uint32_t>& measured,
+                   const FeatureLimits& limits, unsigned threads) {
   const std::size_t n = facets.centres.size();
   const Shortfall none(n, std::numeric_limits<double>::infinity());
   Shortfalls result{none, none, none};
 #pragma omp parallel for schedule(dynamic, 256) num_threads(threads)
   for (std::uint32_t t = 0; t < n; ++t) {
+    if (measured[t] != t) continue;
     if (const auto outer = opposite(facets, t, 1, limits.sheet_distance))
       result.gap[t] = outer->distance / limits.sheet_distance;
     const auto inner = opposite(facets, t, -1, 2 * limits.tube_radius);
@@ -67,8 +101,10 @@ Shortfalls measure(const Facets& facets, const FeatureLimits& limits, unsigned t
     else if (goes_round(facets, 0.5 * (facets.centres[t] + inner->point), inner->distance))
       result.part[t] = inner->distance / (2 * limits.tube_radius);
     else if (inner->distance < limits.sheet_distance)
-      result.plate[t] = inner->distance / limits.sheet_distance;
+      result.wall[t] = inner->distance / limits.sheet_distance;
   }
+  for (Shortfall* shortfall : {&result.part, &result.wall, &result.gap})
+    for (std::uint32_t t = 0; t < n; ++t) (*shortfall)[t] = (*shortfall)[measured[t]];
   return result;
 }
 
@@ -92,27 +128,94 @@ std::optional<Enlargement> enlargement(const Facets& facets, const Shortfall& sh
   return std::nullopt;
 }
 
-void collect(const crystal::SurfaceGuide& guide, const Facets& facets, const Shortfall& shortfall,
-             FeatureKind kind, const FeatureLimits& limits, std::vector<FeatureProblem>& problems) {
-  const double needed = kind == FeatureKind::thin_part ? limits.tube_radius : limits.sheet_distance;
+//! Calls see(region) for every connected region of facets that fall short of a share of what is needed.
+template <typename See>
+void for_each_region(const crystal::SurfaceGuide& guide, const Shortfall& shortfall, double share,
+                     const See& see) {
   std::vector<bool> seen(shortfall.size(), false);
   for (std::uint32_t first = 0; first < shortfall.size(); ++first) {
-    if (seen[first] || shortfall[first] >= 1) continue;
+    if (seen[first] || shortfall[first] >= share) continue;
     std::vector<std::uint32_t> region = {first};
     seen[first] = true;
-    double area = 0;
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      area += facets.areas[region[k]];
+    for (std::size_t k = 0; k < region.size(); ++k)
       for (crystal::HalfEdgeIndex h = 3 * region[k]; h < 3 * region[k] + 3; ++h) {
         const crystal::HalfEdgeIndex o = guide.table().twin(h);
-        if (o == crystal::no_half_edge || seen[o / 3] || shortfall[o / 3] >= 1) continue;
+        if (o == crystal::no_half_edge || seen[o / 3] || shortfall[o / 3] >= share) continue;
         seen[o / 3] = true;
         region.push_back(o / 3);
       }
-    }
+    see(std::move(region));
+  }
+}
+
+void collect(const crystal::SurfaceGuide& guide, const Facets& facets, const Shortfall& shortfall,
+             FeatureKind kind, const FeatureLimits& limits, std::vector<FeatureProblem>& problems) {
+  const double needed = kind == FeatureKind::thin_part ? limits.tube_radius : limits.sheet_distance;
+  for_each_region(guide, shortfall, 1, [&](std::vector<std::uint32_t> region) {
+    double area = 0;
+    for (const std::uint32_t t : region) area += facets.areas[t];
     if (const auto grow = enlargement(facets, shortfall, std::move(region), limits.least_area))
       problems.push_back({kind, facets.centres[grow->facet], needed / grow->ratio, needed, area});
+  });
+}
+
+//! Boundary loops that are holes too small to stay open.
+void collect_holes(const crystal::SurfaceGuide& guide, double needed, std::vector<FeatureProblem>& problems) {
+  constexpr double outwards = -0.3;  // mean cosine between what is beside the loop and its middle
+  const crystal::CornerTable& table = guide.table();
+  const std::vector<Vec3>& points = guide.mesh().points;
+  std::vector<bool> seen(table.half_edges(), false);
+  for (crystal::HalfEdgeIndex first = 0; first < table.half_edges(); ++first) {
+    if (seen[first] || table.twin(first) != crystal::no_half_edge) continue;
+    std::vector<crystal::HalfEdgeIndex> loop;
+    for (crystal::HalfEdgeIndex h = first; !seen[h]; h = table.outgoing(table.target(h))) {
+      seen[h] = true;
+      loop.push_back(h);
+    }
+    Vec3 centre = Vec3::Zero(), twice_area = Vec3::Zero();
+    double length = 0;
+    for (const crystal::HalfEdgeIndex h : loop) {
+      const Vec3 &a = points[table.origin(h)], &b = points[table.target(h)];
+      centre += (b - a).norm() * 0.5 * (a + b);
+      length += (b - a).norm();
+    }
+    centre /= length;
+    double towards = 0;
+    for (const crystal::HalfEdgeIndex h : loop) {
+      const Vec3 &a = points[table.origin(h)], &b = points[table.target(h)];
+      twice_area += (a - centre).cross(b - centre);
+      const Vec3 beside = points[table.apex(h)] - a, along = (b - a).normalized();
+      towards +=
+          (b - a).norm() * (beside - beside.dot(along) * along).normalized().dot((centre - a).normalized());
+    }
+    const double radius = twice_area.norm() / length;
+    if (radius < needed && towards < outwards * length)
+      problems.push_back({FeatureKind::small_hole, centre, radius, needed, 0.5 * twice_area.norm()});
   }
+}
+
+//! Whether no region of what would still fall short of an enlarged surface would be a problem there. The areas of
+//! a region and the ratios at which it counts both grow with the enlargement, so that it drops out of the bound;
+//! a larger enlargement leaves smaller regions.
+bool would_do(const crystal::SurfaceGuide& guide, const Facets& facets, const Shortfalls& shortfalls,
+              const FeatureLimits& limits, double factor) {
+  bool fine = true;
+  for (const Shortfall* shortfall : {&shortfalls.part, &shortfalls.wall, &shortfalls.gap})
+    if (fine)
+      for_each_region(guide, *shortfall, 1 / factor, [&](std::vector<std::uint32_t> region) {
+        fine = fine && !enlargement(facets, *shortfall, std::move(region), limits.least_area);
+      });
+  return fine;
+}
+
+double least_enlargement(const crystal::SurfaceGuide& guide, const Facets& facets,
+                         const Shortfalls& shortfalls, const FeatureLimits& limits, double worst) {
+  double low = 1, high = std::min(worst, largest_enlargement);
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::sqrt(low * high);
+    (would_do(guide, facets, shortfalls, limits, middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 }  // namespace
@@ -121,10 +224,12 @@ std::string_view name(FeatureKind kind) {
   switch (kind) {
     case FeatureKind::thin_part:
       return "thin part";
-    case FeatureKind::thin_plate:
-      return "thin plate";
+    case FeatureKind::thin_wall:
+      return "thin wall (two sides of one solid)";
     case FeatureKind::narrow_gap:
       return "narrow gap";
+    case FeatureKind::small_hole:
+      return "small hole";
   }
   return "";
 }
@@ -133,13 +238,22 @@ FeatureReport check_features(const TriangleMesh& surface, const FeatureLimits& l
   crystal::SurfaceGuide guide(surface, 0.7 * ring_spacing);
   guide.smooth_normals(0.5 * ring_spacing);
   const Facets facets(guide);
-  const Shortfalls shortfalls = measure(facets, limits, threads);
+  const Shortfalls shortfalls = measure(facets, patches(guide, facets), limits, threads);
   FeatureReport report;
+  report.facets = facets.centres.size();
   collect(guide, facets, shortfalls.part, FeatureKind::thin_part, limits, report.problems);
-  collect(guide, facets, shortfalls.plate, FeatureKind::thin_plate, limits, report.problems);
+  collect(guide, facets, shortfalls.wall, FeatureKind::thin_wall, limits, report.problems);
   collect(guide, facets, shortfalls.gap, FeatureKind::narrow_gap, limits, report.problems);
+  collect_holes(guide, limits.hole_radius, report.problems);
   std::stable_sort(report.problems.begin(), report.problems.end(),
                    [](const auto& a, const auto& b) { return a.size / a.needed < b.size / b.needed; });
+  if (!report.ok()) {
+    const FeatureProblem& worst = report.problems.front();
+    report.enlargement = least_enlargement(guide, facets, shortfalls, limits, worst.needed / worst.size);
+    for (const FeatureProblem& problem : report.problems)
+      if (problem.kind == FeatureKind::small_hole)
+        report.enlargement = std::max(report.enlargement, problem.needed / problem.size);
+  }
   return report;
 }
 
