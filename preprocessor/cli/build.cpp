@@ -121,11 +121,16 @@ void run(BuildCommand& command) {
   options.thesis = thesis_options(command);
   options.threads = command.common.threads;
   options.seed = command.common.seed;
-  if (command.atoms) options.size = building::AtomCount{*command.atoms};
+  options.fit = command.atoms == "fit";
+  if (options.fit && options.recipe != building::Recipe::annealed)
+    throw UserError(Failure::usage, "--atoms fit is of the annealed recipe: give a number");
+  if (!command.atoms.empty() && !options.fit)
+    options.size = building::AtomCount{static_cast<std::size_t>(std::stoull(command.atoms))};
   if (command.length) options.size = building::LongestSide{*command.length};
   if (command.scale) options.size = building::UnitScale{*command.scale};
 
-  const mesh::LoadedSurface surface = mesh::load_surface(command.mesh);
+  mesh::LoadedSurface surface =
+      mesh::load_surface(command.mesh, {.repair = !command.no_repair, .close_holes = command.close_holes});
   const auto tell = [&](const char* kind, const std::vector<std::string>& facts) {
     if (command.common.quiet) return;
     for (const std::string& fact : facts)
@@ -133,6 +138,7 @@ void run(BuildCommand& command) {
   };
   tell("note", surface.repairs);
   tell("warning", surface.warnings);
+  options.tell = [&](const std::string& fact) { tell("note", {fact}); };
 
   building::BuildResult result;
   {
@@ -140,6 +146,10 @@ void run(BuildCommand& command) {
     options.progress = [&](std::string_view stage, double fraction) { bar.show(stage, fraction); };
     result = build_naming_the_file(command.mesh, surface.mesh, options);
   }
+  if (result.likeness) tell("warning", result.likeness->warnings());
+  if (result.specks_dropped > 0)
+    surface.repairs.push_back(fmt::format("dropped specks: {}", result.specks_dropped));
+  if (result.specks_dropped > 0) tell("note", {surface.repairs.back()});
   if (result.annealed && result.annealed->max_force > options.force_tolerance)
     tell("warning", {fmt::format("the largest force left is {:.1e} eV/A, not below the {:.1e} asked for",
                                  result.annealed->max_force, options.force_tolerance)});

@@ -25,15 +25,40 @@ void add_choice(CLI::App& app, const std::string& option, Value& value,
       ->type_name("NAME");
 }
 
+// A whole number above zero, or a word in its place.
+CLI::Validator whole_number_or(const std::string& word) {
+  return CLI::Validator(
+      [word, number = whole_number(), positive = above_zero()](std::string& text) {
+        if (text == word) return std::string();
+        const std::string fault = number(text);
+        return fault.empty() ? positive(text) : fault;
+      },
+      "");
+}
+
 void add_size_options(CLI::App& sub, BuildCommand& c) {
   auto* size =
       sub.add_option_group("Size", "One of these; without any, an atom for each triangle of the mesh");
-  size->add_option("--atoms", c.atoms, "Number of atoms, met within a few percent where the shape allows")
-      ->transform(whole_number())
-      ->check(above_zero());
+  size->add_option(
+          "--atoms", c.atoms,
+          "Number of atoms, met within a few percent where the shape allows; or fit, for the smallest "
+          "number that the shape's features allow and that holds")
+      ->transform(whole_number_or("fit"))
+      ->type_name("N|fit");
   size->add_option("--length", c.length, "Longest side of the bounding box, Angstrom")->check(above_zero());
   size->add_option("--scale", c.scale, "Angstrom for each mesh unit")->check(above_zero());
   size->require_option(0, 1);
+}
+
+void add_mesh_options(CLI::App& sub, BuildCommand& c) {
+  auto* group = sub.add_option_group("Mesh", "What is done to the mesh first");
+  group
+      ->add_option("--close-holes", c.close_holes,
+                   "Close boundary loops of a smaller radius than this, mesh units")
+      ->check(above_zero());
+  group->add_flag("--drop-specks", c.build.drop_specks,
+                  "Leave out pieces that have no room for a cage of carbon, as segmented scans have them");
+  group->add_flag("--no-repair", c.no_repair, "Refuse a mesh that needs repairs, and say which");
 }
 
 void add_output_options(CLI::App& sub, BuildCommand& c) {
@@ -126,6 +151,7 @@ void add_thesis_options(CLI::App& sub, BuildCommand& c) {
 
 void add_build_options(CLI::App& subcommand, BuildCommand& command) {
   add_size_options(subcommand, command);
+  add_mesh_options(subcommand, command);
   add_output_options(subcommand, command);
   add_recipe_options(subcommand, command);
   add_thesis_options(subcommand, command);

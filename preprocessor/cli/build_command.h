@@ -18,13 +18,15 @@ struct BuildCommand {
   std::string mesh;
   std::filesystem::path data;
   std::optional<std::filesystem::path> xyz, triangulation, report;
-  std::optional<std::size_t> atoms;
+  std::string atoms;  //!< a number, "fit", or empty
   std::optional<double> length, scale;
   std::optional<double> min_bond, max_bond, local_threshold;
   std::optional<unsigned> iterations, rings, projection_interval;
   std::optional<thesis::VisitedMarks> visited;
   molecule::AtomStyle atom_style = molecule::AtomStyle::molecular;
   double margin = 10.0;
+  bool no_repair = false;
+  double close_holes = 0.0;  //!< mesh units
   building::BuildOptions build;
   CommonOptions common;
   std::string command_line;

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace nanocarbon::cli {
 namespace {
@@ -395,6 +396,68 @@ TEST_F(Program, InspectNamesEveryReasonAgainstAMesh) {
   EXPECT_EQ(json["usable"], false);
   ASSERT_FALSE(json["reasons"].empty());
   EXPECT_EQ(json["reasons"][0]["problem"], "non_manifold_edge");
+}
+
+// The square of each side with vertices of its own, as programs write boxes with textures or flat normals.
+TEST_F(Program, InspectTellsWhatBuildTakes) {
+  std::string box = "OFF\n24 6 0\n";
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int side : {0, 1})
+      for (const auto& [u, v] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+        std::array<int, 3> p{};
+        p[axis] = side;
+        p[(axis + 1) % 3] = side ? u : v;
+        p[(axis + 2) % 3] = side ? v : u;
+        box += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+      }
+  for (int face = 0; face < 24; face += 4)
+    box += "4 " + std::to_string(face) + " " + std::to_string(face + 1) + " " + std::to_string(face + 2) +
+           " " + std::to_string(face + 3) + "\n";
+  const auto json = nlohmann::json::parse(run("inspect --json " + file("box.off", box)).out);
+  EXPECT_EQ(json["as_read"]["vertices"], 24);
+  EXPECT_EQ(json["vertices"], 8);
+  EXPECT_EQ(json["pieces"], 1);
+  EXPECT_EQ(json["boundary_loops"], 0);
+  EXPECT_EQ(json["volume"], 1.0);
+  const Outcome refused = run("build " + path("box.off") + " --no-repair -o " + path("out.data"));
+  EXPECT_EQ(refused.exit_code, 5);
+  EXPECT_THAT(refused.err, HasSubstr("--no-repair"));
+  EXPECT_THAT(refused.err, HasSubstr("joined vertices to others at the same place: 16"));
+}
+
+TEST_F(Program, SpecksAreNamedAndLeftOutOnDemand) {
+  const std::string mesh = file("specks.off",
+                                "OFF\n10 12 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
+                                "5 0 0\n5.01 0 0\n5 0.01 0\n5 0 0.01\n"
+                                "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n"
+                                "3 6 8 7\n3 6 7 9\n3 7 8 9\n3 6 9 8\n");
+  EXPECT_THAT(run("inspect " + mesh).out, HasSubstr("--drop-specks"));
+  const std::string build = "build " + mesh + " --atoms 300 --quality draft -o " + path("out.data");
+  const Outcome refused = run(build);
+  EXPECT_EQ(refused.exit_code, 6);
+  EXPECT_THAT(refused.err, HasSubstr("1 of 2 pieces are specks"));
+  ASSERT_EQ(run(build + " --drop-specks --report " + path("out.json")).exit_code, 0);
+  const auto report = nlohmann::json::parse(contents(path("out.json")));
+  EXPECT_EQ(report["input"]["pieces"], 1);
+  EXPECT_THAT(report["input"]["repairs"].dump(), HasSubstr("dropped specks: 1"));
+}
+
+// A ring too thin for 200 atoms: what is advised is built, and fit finds as much by itself.
+TEST_F(Program, TheSizeThatARefusalNamesIsBuilt) {
+  ASSERT_EQ(run("make mesh torus --major 3 --minor 0.4 -q -o " + path("ring.off")).exit_code, 0);
+  const std::string build = "build " + path("ring.off") + " --quality draft -o " + path("out.data");
+  const Outcome refused = run(build + " --atoms 200");
+  EXPECT_EQ(refused.exit_code, 6);
+  EXPECT_THAT(refused.err, HasSubstr("thin part"));
+  const auto advice = refused.err.rfind("--atoms ");
+  ASSERT_NE(advice, std::string::npos) << refused.err;
+  const int atoms = std::stoi(refused.err.substr(advice + 8));
+  EXPECT_EQ(run(build + " --atoms " + std::to_string(atoms)).exit_code, 0);
+  ASSERT_EQ(run(build + " --atoms fit --report " + path("out.json")).exit_code, 0);
+  const auto report = nlohmann::json::parse(contents(path("out.json")));
+  EXPECT_LE(report["options"]["atoms_aimed_at"].get<int>(), 1.3 * atoms);
+  EXPECT_EQ(run(build + " --atoms fit --recipe thesis").exit_code, 2);
+  EXPECT_EQ(run(build + " --atoms fits").exit_code, 2);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ class Recipe {
         return *std::move(level);
     throw UserError(Failure::size,
                     fmt::format("{} atoms are too few for the thinnest parts of the surface: its "
-                                "triangulation pinches them; ask for more atoms",
+                                "triangulation pinches them",
                                 atoms_));
   }
 

@@ -11,12 +11,13 @@
 #include "nanocarbon/annealing/geometry_check.h"
 #include "nanocarbon/building/dual_minimum.h"
 #include "nanocarbon/building/failed_molecule.h"
+#include "nanocarbon/building/size_advice.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/repair/drop_specks.h"
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/remeshing/crystal/crystallise.h"
-#include "nanocarbon/remeshing/features/atoms_for_features.h"
 #include "nanocarbon/remeshing/features/make_room.h"
 #include "nanocarbon/topology/connected_components.h"
 
@@ -103,29 +104,21 @@ void build_by_thesis(BuildResult& result, const BuildOptions& options) {
   result.seconds.molecule = stage.lap();
 }
 
-std::string number_that_would_do(const BuildResult& result, const BuildOptions& options) {
-  const SizedSurface& surface = result.surface;
-  const auto atoms = features::atoms_for_features(
-      surface.mesh, mesh::area(surface.mesh) / area_per_atom(options.bond_length), {}, options.threads);
-  if (!atoms)
-    return "no number of atoms up to 300,000, or four times as many as asked for, would do: go on with "
-           "--force";
-  return fmt::format("the next size that would do is --atoms {}; ask for that, or go on with --force",
-                     *atoms);
-}
-
 void require_room_for_features(const BuildResult& result, const BuildOptions& options) {
   const SizedSurface& surface = result.surface;
   const features::FeatureReport features = features::check_features(surface.mesh, {}, options.threads);
   if (features.ok()) return;
   const features::FeatureProblem& worst = features.problems.front();
   const Vec3 where = worst.where / surface.scale;
-  throw UserError(
-      Failure::size,
-      fmt::format("the shape is too small for {} atoms in {} place(s): a {} of {:.2f} A at ({:.4g}, "
-                  "{:.4g}, {:.4g}) of the mesh should have {:.2f} A; {}",
-                  surface.atoms, features.problems.size(), name(worst.kind), worst.size, where.x(), where.y(),
-                  where.z(), worst.needed, number_that_would_do(result, options)));
+  std::string reason = fmt::format(
+      "the shape is too small for {} atoms in {} place(s): a {} of {:.2f} A at ({:.4g}, {:.4g}, {:.4g}) of "
+      "the mesh "
+      "should have {:.2f} A",
+      surface.atoms, features.problems.size(), name(worst.kind), worst.size, where.x(), where.y(), where.z(),
+      worst.needed);
+  if (worst.kind == features::FeatureKind::small_hole)
+    reason += fmt::format(" (--close-holes {:.3g} would close it)", 1.1 * worst.size / surface.scale);
+  throw TooFewAtoms(Failure::size, reason, features);
 }
 
 void require_rings_of_carbon(const Molecule& molecule) {
@@ -133,16 +126,33 @@ void require_rings_of_carbon(const Molecule& molecule) {
   for (std::size_t r = 0; r < molecule.rings.size(); ++r)
     wrong += molecule.rings[r].size() < 5 || molecule.rings[r].size() > 8;
   if (wrong > 0)
-    throw UserError(
+    throw TooFewAtoms(
         Failure::failed,
-        fmt::format("{} ring(s) have fewer than 5 or more than 8 atoms, for parts of the shape are too "
-                    "narrow; ask for more atoms, or take it as it is with --force",
-                    wrong));
+        fmt::format(
+            "{} ring(s) have fewer than 5 or more than 8 atoms, for parts of the shape are too narrow",
+            wrong));
 }
 
 void require_bonds_that_hold(const BuildResult& result, const BuildOptions& options) {
   if (!result.annealed->intact && !options.force)
-    throw UserError(Failure::failed, describe_failure(result.molecule, result.surface));
+    throw TooFewAtoms(Failure::failed, describe_failure(result.molecule, result.surface));
+}
+
+void require_likeness(BuildResult& result, potential::Potential& potential, const BuildOptions& options) {
+  result.likeness =
+      likeness(result.molecule, result.surface.mesh, result.annealed->energy - potential.graphene_energy());
+  const Likeness& l = *result.likeness;
+  if (options.force || !(l.far() || l.strained())) return;
+  const std::string what =
+      l.far() ? fmt::format(
+                    "its atoms lie {:.1f} A from the surface in the mean, {:.0f}% of the shape's radius of "
+                    "{:.1f} A",
+                    l.distance, 100 * l.distance_share, l.shape_radius)
+              : fmt::format(
+                    "it has {:.0f} meV an atom above graphene, {:.1f} times the {:.0f} that the shape's "
+                    "curvature and boundary cost",
+                    1e3 * l.energy, l.energy_share, 1e3 * l.expected_energy);
+  throw TooFewAtoms(Failure::failed, "the molecule is not the shape: " + what);
 }
 
 // Goes on to the minimum, which may be far from where annealing was asked to stop.
@@ -191,7 +201,12 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   annealing.make_room = [&](const TriangleMesh& thin) {
     return features::with_room_for_sheets(thin, features::resting_sheet_distance, options.threads);
   };
-  result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, *potential, annealing);
+  try {
+    result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, *potential, annealing);
+  } catch (const UserError& error) {
+    if (error.failure() == Failure::size) throw TooFewAtoms(error.failure(), error.what());
+    throw;
+  }
   result.molecule = std::exchange(result.annealed->molecule, {});
   result.surface.scale *= result.annealed->growth;
   for (Vec3& point : result.surface.mesh.points) point *= result.annealed->growth;
@@ -202,8 +217,100 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
     certify_annealed(result, *potential, options);
     require_bonds_that_hold(result, options);
   }
+  require_likeness(result, *potential, options);
   result.triangulation = annealing::triangulation_of(result.annealed->network, result.molecule.positions);
   result.seconds.molecule = stage.lap() - result.seconds.remeshing;
+}
+
+BuildResult build_once(const TriangleMesh& surface, const BuildOptions& options) {
+  const bool annealed = options.recipe == Recipe::annealed;
+  const double thesis_bond = 0.5 * (options.thesis.min_bond + options.thesis.max_bond);
+  BuildResult result;
+  Stopwatch whole;
+  result.surface = sized_without_specks(surface, options.size, annealed ? options.bond_length : thesis_bond,
+                                        options.drop_specks, result.specks_dropped);
+  if (annealed)
+    build_by_annealing(result, options);
+  else
+    build_by_thesis(result, options);
+  require_same_topology(mesh::mesh_topology(result.surface.mesh), result);
+  result.seconds.total = whole.lap();
+  return result;
+}
+
+void tell(const BuildOptions& options, const std::string& fact) {
+  if (options.tell) options.tell(fact);
+}
+
+SizeSearch search_of(const TriangleMesh& surface, const BuildOptions& options) {
+  BuildOptions draft = options;
+  draft.quality = Quality::draft;
+  draft.certify = draft.force = false;
+  draft.tell = nullptr;
+  const auto holds = [&surface, draft](std::size_t atoms) mutable {
+    draft.size = AtomCount{atoms};
+    try {
+      build_once(surface, draft);
+      return true;
+    } catch (const UserError&) {
+      return false;
+    }
+  };
+  return {surface, options.bond_length, options.threads, holds};
+}
+
+std::string advice_after(const TooFewAtoms& error, const TriangleMesh& surface, const BuildOptions& options) {
+  std::size_t ignored = 0;
+  const SizedSurface sized =
+      sized_without_specks(surface, options.size, options.bond_length, options.drop_specks, ignored);
+  const double atoms = mesh::area(sized.mesh) / area_per_atom(options.bond_length);
+  SizeSearch search = search_of(sized.mesh, options);
+  // What has been tried and failed says more than the check: then larger ones are tried as well.
+  const bool was_tried = error.failure() == Failure::failed;
+  if (was_tried) search.largest_tried = std::max<std::size_t>(search.largest_tried, 5 * sized.atoms);
+  const double effort = std::max(10'000.0, 5.0 * static_cast<double>(sized.atoms));
+  return advice(next_size(search, error.report() ? atoms : 1.1 * atoms,
+                          error.report() ? &*error.report() : nullptr, effort));
+}
+
+// Room for the smallest cage in each piece, if no more.
+double smallest_size(const TriangleMesh& surface, bool drop_specks) {
+  const std::vector<double> areas = mesh::piece_areas(surface);
+  double whole = 0, smallest = mesh::area(surface);
+  for (const double area : areas) whole += area;
+  for (const double area : areas)
+    if (!drop_specks || area > 1e-3 * whole) smallest = std::min(smallest, area);
+  constexpr double buckminsterfullerene = 60;
+  return std::max(buckminsterfullerene, 1.05 * static_cast<double>(smallest_cage) * whole / smallest);
+}
+
+BuildResult build_fitting(const TriangleMesh& surface, BuildOptions options) {
+  constexpr int most_builds = 5;
+  const SizeSearch search = search_of(surface, options);
+  double from = smallest_size(surface, options.drop_specks);
+  std::string last = "nothing was tried";
+  for (int i = 0; i < most_builds; ++i) {
+    tell(options, fmt::format("looking for the smallest size from {:.0f} atoms on", from));
+    const SizeFound found = next_size(search, from, nullptr, 40'000);
+    if (!found.atoms)
+      throw UserError(
+          Failure::size,
+          fmt::format("no number of atoms from {:.0f} to {:.0f} fits the shape; take one with --atoms N and "
+                      "--force, or change the shape",
+                      from, found.searched));
+    tell(options, fmt::format("building with {} atoms", *found.atoms));
+    options.size = AtomCount{*found.atoms};
+    try {
+      return build_once(surface, options);
+    } catch (const TooFewAtoms& error) {
+      last = error.what();
+      from = 1.1 * static_cast<double>(*found.atoms);
+    }
+  }
+  throw UserError(Failure::failed,
+                  fmt::format("none of {} sizes up to {:.0f} atoms holds: {}; take one with --atoms N "
+                              "and --force, or change the shape",
+                              most_builds, from / 1.1, last));
 }
 
 }  // namespace
@@ -229,18 +336,15 @@ double tether_of(const BuildOptions& options) {
 }
 
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options) {
-  const bool annealed = options.recipe == Recipe::annealed;
-  const double thesis_bond = 0.5 * (options.thesis.min_bond + options.thesis.max_bond);
-  BuildResult result;
-  Stopwatch whole;
-  result.surface = sized_surface(surface, options.size, annealed ? options.bond_length : thesis_bond);
-  if (annealed)
-    build_by_annealing(result, options);
-  else
-    build_by_thesis(result, options);
-  require_same_topology(mesh::mesh_topology(result.surface.mesh), result);
-  result.seconds.total = whole.lap();
-  return result;
+  if (options.fit) return build_fitting(surface, options);
+  try {
+    return build_once(surface, options);
+  } catch (const TooFewAtoms& error) {
+    if (!options.advise) throw;
+    tell(options, std::string(error.what()) + "; looking for a size that would do");
+    throw UserError(error.failure(),
+                    fmt::format("{}; {}", error.what(), advice_after(error, surface, options)));
+  }
 }
 
 }  // namespace nanocarbon::building

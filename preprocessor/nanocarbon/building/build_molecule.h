@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "nanocarbon/building/anneal_recipe.h"
+#include "nanocarbon/building/likeness.h"
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/building/size_request.h"
 #include "nanocarbon/minimisation/certificate.h"
@@ -42,9 +43,16 @@ struct BuildOptions {
   //! Prove that the molecule is at a minimum (certificate.h); only with potentials of bonds alone.
   bool certify = false;
   //! @}
+  //! Leave out pieces of the surface that have no room for a cage; they are an error otherwise.
+  bool drop_specks = false;
   //! Go on where the shape asks for more atoms, keep a molecule that does not hold or has lost the shape.
   //! (The program also takes one that is not shown to be at a minimum.)
   bool force = false;
+  //! Of the annealed recipe: instead of the size, the smallest number of atoms of two digits whose features are
+  //! large enough and of which a molecule holds.
+  bool fit = false;
+  //! Look for a size that would do where one does not.
+  bool advise = true;
   thesis::ThesisOptions thesis;  //!< of the thesis and its forerunners
   bool relax = false;  //!< the dual of theirs, to a minimum of REBO2 with the bonds it has (dual_minimum.h)
 
@@ -52,6 +60,8 @@ struct BuildOptions {
   std::uint64_t seed = 1;
   //! Called now and then with what is being done and how much of it, 0 to 1.
   std::function<void(std::string_view stage, double fraction)> progress;
+  //! Called with what is known before more is found out: why a size is refused, while the next is sought.
+  std::function<void(const std::string& fact)> tell;
 };
 
 //! The tether that annealing uses, eV/Angstrom^2: the one asked for, or what suits the size asked for.
@@ -66,9 +76,11 @@ struct BuildSeconds {
 
 struct BuildResult {
   SizedSurface surface;
+  std::size_t specks_dropped = 0;
   TriangleMesh triangulation;  //!< Angstrom; the molecule is its dual
   Molecule molecule;
   std::optional<AnnealResult> annealed;  //!< what annealing did; its molecule has moved to molecule
+  std::optional<Likeness> likeness;      //!< where energy was minimised
   std::optional<minimisation::Certificate> certificate;  //!< where asked for
   std::optional<thesis::ThesisResult> thesis;  //!< what remeshing did; its mesh has moved to triangulation
   BuildSeconds seconds;
@@ -76,7 +88,7 @@ struct BuildResult {
 
 //! \brief From a surface to a molecule of carbon atoms.
 //! \param surface a sound 2-manifold, oriented, mesh units (see load_surface())
-//! \throw UserError (size, unsuitable) as sized_surface(); (failed) where the molecule's topology is not the
+//! \throw UserError (size, unsuitable) as sized_surface(); (size) where features are too small, and with what would do; (failed) where the molecule's topology is not the
 //! surface's, REBO2 would bind other atoms than the molecule does, or the thesis's method lost the shape
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options);
 

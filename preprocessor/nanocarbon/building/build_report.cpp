@@ -178,6 +178,12 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
   if (result.annealed)
     report["annealing"] =
         annealed_json(*result.annealed, make_potential(options.potential)->graphene_energy());
+  if (result.likeness)
+    report["likeness"] = {{"shape_radius", result.likeness->shape_radius},
+                          {"distance_to_radius", result.likeness->distance_share},
+                          {"expected_above_graphene", result.likeness->expected_energy},
+                          {"above_graphene_to_expected", result.likeness->energy_share},
+                          {"warnings", result.likeness->warnings()}};
   if (result.certificate) report["certificate"] = certificate_json(*result.certificate);
   if (result.thesis) report["remeshing"] = thesis_json(*result.thesis);
   report["seconds"] = {{"remeshing", result.seconds.remeshing},
@@ -214,8 +220,13 @@ std::string report_table(const Json& report) {
        fmt::format("mean {:.2f}, deviation {:.2f}", report["bond_angles"]["mean"].get<double>(),
                    report["bond_angles"]["standard_deviation"].get<double>()));
   const Json& d = report["distance"]["atoms_to_surface"];
-  line("distance to surface, A", fmt::format("mean {:.3f}, rms {:.3f}, max {:.3f}", d["mean"].get<double>(),
-                                             d["rms"].get<double>(), d["max"].get<double>()));
+  const bool compared = report.contains("likeness");
+  line("distance to surface, A",
+       fmt::format("mean {:.3f}, rms {:.3f}, max {:.3f}", d["mean"].get<double>(), d["rms"].get<double>(),
+                   d["max"].get<double>()) +
+           (compared ? fmt::format("; mean {:.1f}% of the shape's radius",
+                                   100 * report["likeness"]["distance_to_radius"].get<double>())
+                     : ""));
   if (report.contains("remeshing")) {
     const Json& r = report["remeshing"];
     line("remeshing",
@@ -231,6 +242,13 @@ std::string report_table(const Json& report) {
              (closed ? fmt::format(" (before annealing {:.1f})",
                                    1e3 * r["above_graphene_unannealed"].get<double>())
                      : ""));
+    if (compared)
+      line("energy expected, meV",
+           fmt::format(
+               "{:.1f} above graphene for the shape's curvature and boundary; the molecule has {:.2f} times "
+               "that",
+               1e3 * report["likeness"]["expected_above_graphene"].get<double>(),
+               report["likeness"]["above_graphene_to_expected"].get<double>()));
     line("largest force, eV/A", fmt::format("{:.1e}", r["max_force"].get<double>()));
   }
   if (report.contains("certificate")) {

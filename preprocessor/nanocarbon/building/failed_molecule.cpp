@@ -8,17 +8,12 @@
 
 #include "nanocarbon/core/bond_cutoffs.h"
 #include "nanocarbon/core/neighbours_within.h"
-#include "nanocarbon/remeshing/features/atoms_for_features.h"
 
 namespace nanocarbon::building {
 namespace {
 
 constexpr double longest_bond = rebo_bond_cutoffs.carbon_carbon.begin;    // Angstrom
 constexpr double closest_unbonded = rebo_bond_cutoffs.carbon_carbon.end;  // Angstrom
-
-// What a shape needs for molecules of little strain: the (5,5) tube, graphite's sheets and a little, no
-// exceptions for tips. Angstrom.
-constexpr features::FeatureLimits comfortable{.tube_radius = 3.4, .sheet_distance = 3.6, .least_area = 20};
 
 struct Fault {
   std::string what;
@@ -53,14 +48,8 @@ Fault worst_fault(const Molecule& molecule) {
 std::string describe_failure(const Molecule& molecule, const SizedSurface& surface) {
   const Fault fault = worst_fault(molecule);
   const Vec3 where = fault.where / surface.scale;
-  std::optional<std::size_t> more;
-  if (!features::check_features(surface.mesh, comfortable).ok())
-    more = features::atoms_for_features(surface.mesh, static_cast<double>(surface.atoms), comfortable);
-  return fmt::format(
-      "no molecule was found that holds: {} near ({:.4g}, {:.4g}, {:.4g}) of the mesh; ask for --atoms {} or "
-      "more, try "
-      "another --seed, or take it as it is with --force",
-      fault.what, where.x(), where.y(), where.z(), more.value_or(surface.atoms + surface.atoms / 2));
+  return fmt::format("no molecule was found that holds: {} near ({:.4g}, {:.4g}, {:.4g}) of the mesh",
+                     fault.what, where.x(), where.y(), where.z());
 }
 
 }  // namespace nanocarbon::building

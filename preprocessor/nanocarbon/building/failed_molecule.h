@@ -9,9 +9,7 @@
 
 namespace nanocarbon::building {
 
-//! \brief Where and why REBO2 would see other bonds than a molecule's, and how many atoms are likely to do.
-//! \details The number is that which leaves every part of the shape as wide as carbon likes it, rather than
-//! as narrow as it may just be; one and a half times as many where nothing is narrow.
+//! \brief Where and why REBO2 would see other bonds than a molecule's.
 //! \param molecule at rest
 //! \param surface that it was made for
 std::string describe_failure(const Molecule& molecule, const SizedSurface& surface);

@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/repair/drop_specks.h"
 
 namespace nanocarbon::building {
 namespace {
-
-// The dodecahedron C20 is the smallest closed cage of pentagons and hexagons.
-constexpr std::size_t smallest_molecule = 20;
 
 // Both recipes need more than this at their peak, which is enough to refuse what cannot end well: a machine
 // that runs out of memory does so after hours, and may take other programs with it.
@@ -68,16 +68,50 @@ SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& reque
                     "machine has {:.3g} GB; ask for less with --atoms, --length or --scale",
                     atoms, 1e-9 * atoms * least_bytes_per_atom, 1e-9 * bytes_of_memory()));
   sized.atoms = static_cast<std::size_t>(std::llround(atoms));
-  if (sized.atoms < smallest_molecule)
+  if (sized.atoms < smallest_cage)
     throw UserError(
         Failure::size,
         fmt::format("the size asked for leaves room for {} atom(s), and no cage has fewer than {}; "
                     "ask for more with --atoms N, --length {:.3g} or --scale {:.3g}",
-                    sized.atoms, smallest_molecule,
-                    mesh::bounding_box(surface.points).longest_side() * scale_of.for_atoms(smallest_molecule),
-                    scale_of.for_atoms(smallest_molecule)));
+                    sized.atoms, smallest_cage,
+                    mesh::bounding_box(surface.points).longest_side() * scale_of.for_atoms(smallest_cage),
+                    scale_of.for_atoms(smallest_cage)));
   for (Vec3& point : sized.mesh.points) point *= sized.scale;
   return sized;
+}
+
+SizedSurface sized_without_specks(const TriangleMesh& surface, const SizeRequest& request, double bond_length,
+                                  bool drop, std::size_t& dropped) {
+  dropped = 0;
+  TriangleMesh rest = surface;
+  // An atom for each triangle means those of the file.
+  const SizeRequest meant =
+      std::holds_alternative<AtomPerTriangle>(request) ? AtomCount{surface.triangles.size()} : request;
+  for (;;) {
+    SizedSurface sized = sized_surface(rest, meant, bond_length);
+    const double least = static_cast<double>(smallest_cage) * area_per_atom(bond_length);
+    const std::vector<double> areas = mesh::piece_areas(sized.mesh);
+    const auto specks = static_cast<std::size_t>(
+        std::count_if(areas.begin(), areas.end(), [&](double a) { return a < least; }));
+    if (specks == 0 || areas.size() == 1) return sized;
+    double largest = 0;
+    for (const double a : areas)
+      if (a < least) largest = std::max(largest, a / area_per_atom(bond_length));
+    if (specks == areas.size())
+      throw UserError(
+          Failure::size,
+          fmt::format("all {} pieces are specks: the largest has room for {:.2g} atoms, and no cage has "
+                      "fewer than {}; ask for more atoms",
+                      specks, largest, smallest_cage));
+    if (!drop)
+      throw UserError(Failure::size, fmt::format("{} of {} pieces are specks: of {} atoms in all the largest "
+                                                 "of them has room for {:.2g}, and no "
+                                                 "cage has fewer than {}; leave them out with --drop-specks",
+                                                 specks, areas.size(), sized.atoms, largest, smallest_cage));
+    const std::size_t left_out = mesh::drop_specks(rest, least / (sized.scale * sized.scale));
+    if (left_out == 0) return sized;  // it lacks no more than rounding
+    dropped += left_out;
+  }
 }
 
 }  // namespace nanocarbon::building

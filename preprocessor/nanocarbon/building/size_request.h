@@ -33,6 +33,9 @@ struct SizedSurface {
   std::size_t atoms = 0;
 };
 
+//! The dodecahedron C20 is the smallest closed cage of pentagons and hexagons.
+inline constexpr std::size_t smallest_cage = 20;
+
 //! Area of an atom's share of a flat sheet of hexagons with the given bond length: 3 sqrt(3) / 4 of its
 //! square.
 double area_per_atom(double bond_length);
@@ -43,5 +46,13 @@ double area_per_atom(double bond_length);
 //! \throw UserError (unsuitable) for a surface without area; (size) for one that would carry fewer than 20
 //! atoms, saying which number would do, or more than fit into this machine's memory
 SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& request, double bond_length);
+
+//! \brief Specks, pieces without room for the smallest cage, are left out where that is asked for, and the rest is
+//! sized as if they had never been; otherwise they are refused.
+//! \param surface mesh units
+//! \param dropped how many were left out
+//! \throw UserError (size) with how many of the pieces are specks
+SizedSurface sized_without_specks(const TriangleMesh& surface, const SizeRequest& request, double bond_length,
+                                  bool drop, std::size_t& dropped);
 
 }  // namespace nanocarbon::building

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/building/likeness.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "nanocarbon/mesh/distance.h"
+#include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/nearest_point.h"
+#include "nanocarbon/remeshing/crystal/surface_guide.h"
+
+namespace nanocarbon::building {
+namespace {
+
+constexpr double bending_rigidity = 1.4;        // eV, of graphene
+constexpr double energy_of_disclination = 5.0;  // eV for each pi/3 of Gaussian curvature
+constexpr double energy_of_boundary = 1.5;      // eV/Angstrom, bare
+constexpr double ring_spacing = 2.46;           // Angstrom
+
+// How the normal turns on a triangle with the normals of its corners, as a map of its plane.
+Eigen::Matrix2d shape_operator(const std::array<Vec3, 3>& p, const std::array<Vec3, 3>& n) {
+  const Vec3 e1 = p[1] - p[0], e2 = p[2] - p[0];
+  const Vec3 u = e1.normalized(), v = e1.cross(e2).normalized().cross(u);
+  Eigen::Matrix2d edges, turns;
+  edges << e1.dot(u), e2.dot(u), e1.dot(v), e2.dot(v);
+  const Vec3 d1 = n[1] - n[0], d2 = n[2] - n[0];
+  turns << d1.dot(u), d2.dot(u), d1.dot(v), d2.dot(v);
+  return turns * edges.inverse();
+}
+
+bool beyond(double share, double share_limit, double value, double limit) {
+  return share > share_limit && value > limit;
+}
+
+}  // namespace
+
+double expected_energy(const TriangleMesh& surface, std::size_t atoms) {
+  crystal::SurfaceGuide guide(surface, 0.5 * ring_spacing);
+  guide.smooth_normals(ring_spacing);
+  const TriangleMesh& mesh = guide.mesh();
+  double energy = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<Vec3, 3> points, normals;
+    for (std::size_t k = 0; k < 3; ++k) {
+      points[k] = mesh.points[mesh.triangles[t][k]];
+      crystal::Foot corner{points[k], {0, 0, 0}, t};
+      corner.weights[k] = 1;
+      normals[k] = guide.normal(corner);
+    }
+    const double area = 0.5 * mesh::area_normal(points[0], points[1], points[2]).norm();
+    const Eigen::Matrix2d turn = shape_operator(points, normals);
+    // A needle's operator is noise; nothing bends more than by a right angle over a bond.
+    if (!turn.allFinite() || turn.norm() > 1.1) continue;
+    energy += area * (0.5 * bending_rigidity * std::pow(turn.trace(), 2) +
+                      energy_of_disclination * std::abs(turn.determinant()) * 3 / std::numbers::pi);
+  }
+  for (crystal::HalfEdgeIndex h = 0; h < guide.table().half_edges(); ++h)
+    if (guide.table().twin(h) == crystal::no_half_edge)
+      energy += energy_of_boundary *
+                (mesh.points[guide.table().target(h)] - mesh.points[guide.table().origin(h)]).norm();
+  return energy / static_cast<double>(atoms);
+}
+
+bool Likeness::far() const {
+  return beyond(distance_share, distance_share_to_refuse, distance, distance_to_refuse);
+}
+
+bool Likeness::strained() const {
+  return beyond(energy_share, energy_share_to_refuse, energy, energy_to_refuse);
+}
+
+std::vector<std::string> Likeness::warnings() const {
+  std::vector<std::string> told;
+  if (beyond(distance_share, distance_share_to_warn, distance, distance_to_warn))
+    told.push_back(fmt::format(
+        "the atoms lie {:.1f} A from the surface in the mean, {:.0f}% of the shape's radius of {:.1f} A: the "
+        "molecule is not quite the shape",
+        distance, 100 * distance_share, shape_radius));
+  if (beyond(energy_share, energy_share_to_warn, energy, energy_to_warn))
+    told.push_back(
+        fmt::format("the molecule has {:.0f} meV an atom above graphene, {:.1f} times the {:.0f} that the "
+                    "shape's curvature and "
+                    "boundary cost: it is strained",
+                    1e3 * energy, energy_share, 1e3 * expected_energy));
+  return told;
+}
+
+Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double energy) {
+  Likeness result;
+  result.shape_radius = std::sqrt(mesh::area(surface) / (4 * std::numbers::pi));
+  result.distance = mesh::distances_to_surface(molecule.positions, mesh::NearestPoint(surface)).mean;
+  result.distance_share = result.distance / result.shape_radius;
+  result.energy = energy;
+  result.expected_energy = expected_energy(surface, molecule.size());
+  result.energy_share = energy / std::max(result.expected_energy, 1e-6);
+  return result;
+}
+
+}  // namespace nanocarbon::building
