@@ -7,6 +7,7 @@ import pathlib
 import re
 import subprocess
 
+MOST_ADVICE = 4  # pieces of advice that are followed for a mesh
 TOO_FEW_ATOMS = (6, 8)  # exit codes: the size does not fit the shape; no good result was reached
 
 # Minimised as fully as LAMMPS can: conjugate gradients, then FIRE.
@@ -96,28 +97,44 @@ def facts_of(report):
     return facts
 
 
-def build(args, mesh, prefix, atoms):
+def build(args, mesh, prefix, atoms, options):
     """On one core: exit code, CPU seconds, and what the program said."""
     screen = pathlib.Path(f"{prefix}.build")
     code, seconds = run(args, [args.build / "preprocessor/cli/nanocarbon", "build", mesh, "-o", f"{prefix}.data",
-                               "--quiet", "--threads", "1", "--report", f"{prefix}.json", "--atoms", atoms, *args.options], screen)
+                               "--quiet", "--threads", "1", "--report", f"{prefix}.json", "--atoms", atoms, *options], screen)
     said = screen.read_text(errors="replace").strip()
-    reason = said.splitlines()[-1] if said else "no message"
+    first = next((line for line in said.splitlines() if line.startswith("nanocarbon: ")), "no message")
+    reason = said[said.index(first):].replace("\n  - ", " ") if said else "no message"
     return code, seconds, reason.replace("nanocarbon: ", "").replace(f"{mesh}: ", "")
 
 
-def row_of(args, mesh):
-    prefix, atoms = args.out / mesh.stem, args.atoms
-    row = {"mesh": mesh.stem, "atoms_asked": atoms}
-    code, seconds, reason = build(args, mesh, prefix, atoms)
+def advised(args, code, reason, atoms, options):
+    """The number of atoms and the options that a refusal asks for; nothing where it asks for none that are new."""
     larger = re.search(r"--atoms (\d+)", reason)
-    if code in TOO_FEW_ATOMS and larger and args.follow_refusals:
-        row["refusal"] = f"refused at {atoms}: {reason}"
-        atoms = row["atoms_asked"] = int(larger.group(1))
-        prefix = args.out / f"{mesh.stem}-{atoms}"
-        code, seconds, reason = build(args, mesh, prefix, atoms)
+    if code in TOO_FEW_ATOMS and larger and int(larger.group(1)) > atoms:
+        return int(larger.group(1)), options
+    named = re.search(r"--(drop-specks|unite)\b|--(wrap|close-holes) ([0-9.eE+-]+)", reason)
+    if not args.follow_advice or not named:
+        return None
+    new = [f"--{named.group(1)}"] if named.group(1) else [f"--{named.group(2)}", named.group(3).rstrip(".")]
+    return None if new[0] in options else (atoms, options + new)
+
+
+def row_of(args, mesh):
+    prefix, atoms, options = args.out / mesh.stem, args.atoms, args.options
+    row = {"mesh": mesh.stem, "atoms_asked": atoms}
+    code, seconds, reason = build(args, mesh, prefix, atoms, options)
+    for step in range(MOST_ADVICE if args.follow_advice else 1 if args.follow_refusals else 0):
+        advice = advised(args, code, reason, atoms, options) if code != 0 else None
+        if advice is None or (advice[0] > args.largest and advice[0] != atoms):
+            break
+        row["refusal"] = row.get("refusal", "") + f"refused at {atoms}: {reason} "
+        atoms, options = advice
+        row["atoms_asked"] = atoms
+        prefix = args.out / f"{mesh.stem}-{atoms}-{step}"
+        code, seconds, reason = build(args, mesh, prefix, atoms, options)
         if code != 0:
-            reason = f"though named as large enough: {reason}"
+            reason = f"though advised: {reason}"
     if code != 0:
         row["failure"] = f"exit {code}: {reason}"
         return row

@@ -7,7 +7,8 @@
 Each molecule runs for STEPS steps of 1 fs from rest, and as many more under a Langevin thermostat at 600 K, watched by
 fix bond/topology. Writes OUT/suite.tsv and OUT/suite.md (which is also printed); data files, reports, logs and
 pictures stay in OUT. Meshes that the program refuses stand in the table with its reason, and with --follow-refusals
-they are built again at the size that it says would do. A run that was cut short goes on with --resume.
+they are built again at the size that it says would do; with --follow-advice also with the options that it names, one
+after the other, so that the table shows whether what it says is true. A run that was cut short goes on with --resume.
 """
 
 import argparse
@@ -36,6 +37,9 @@ def arguments():
     parser.add_argument("--only", default="", help="only meshes whose name holds one of these, separated by commas")
     parser.add_argument("--resume", action="store_true", help="keep rows that OUT has of the same request")
     parser.add_argument("--follow-refusals", action="store_true", help="build refused shapes at the size named")
+    parser.add_argument("--follow-advice", action="store_true",
+                        help="build refused shapes with whatever size and options the program names")
+    parser.add_argument("--largest", type=int, default=40000, help="do not follow to more atoms than this")
     parser.add_argument("--lammps-energy", action="store_true",
                         help="minimise with LAMMPS's pair_style rebo, too, and compare energies")
     parser.add_argument("--launcher", default="", help="command to put before every program, as 'nice -n 5'")
@@ -50,7 +54,8 @@ def arguments():
 def request_of(args):
     """What a row depends on besides the mesh and the program."""
     return {"atoms": args.atoms, "steps": args.steps, "pair": args.pair, "options": args.options,
-            "follow": args.follow_refusals, "lammps": args.lammps_energy}
+            "follow": args.follow_refusals, "advice": args.follow_advice, "largest": args.largest,
+            "lammps": args.lammps_energy}
 
 
 def row_or_old_row(args, mesh):

@@ -22,8 +22,9 @@ class Suite(unittest.TestCase):
         for shape, sizes in (("sphere", []), ("torus", ["--major", "3", "--minor", "0.4"])):
             subprocess.run([PROGRAM, "make", "mesh", shape, *sizes, "-o", folder / "meshes" / f"{shape}.off"],
                            check=True, capture_output=True)
+        cls.add_specks(folder / "meshes")
         command = [sys.executable, HERE / "run.py", folder / "meshes", "--build", BUILD, "--out", folder / "out",
-                   "--atoms", "200", "--steps", "20", "--jobs", "2", "--follow-refusals", "--lammps-energy", "--resume",
+                   "--atoms", "200", "--steps", "20", "--jobs", "2", "--follow-advice", "--lammps-energy", "--resume",
                    "--", "--quality", "draft"]
         cls.first = subprocess.run(command, capture_output=True, text=True, check=True)
         made = (folder / "out/sphere.data").stat().st_mtime_ns
@@ -33,17 +34,32 @@ class Suite(unittest.TestCase):
             cls.rows = {row["mesh"]: row for row in csv.DictReader(table, delimiter="\t")}
 
     @classmethod
+    def add_specks(cls, folder):
+        """The sphere with three tetrahedra beside it that have no room for a molecule."""
+        words = (folder / "sphere.off").read_text().split("\n")
+        vertices, faces = (int(word) for word in words[1].split()[:2])
+        points, triangles = words[2:2 + vertices], words[2 + vertices:2 + vertices + faces]
+        for k in range(3):
+            first = len(points)
+            points += [f"{3 + k + 0.01 * x} {0.01 * y} {0.01 * z}"
+                       for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+            triangles += [f"3 {first + a} {first + b} {first + c}"
+                          for a, b, c in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))]
+        lines = ["OFF", f"{len(points)} {len(triangles)} 0", *points, *triangles]
+        (folder / "specks.off").write_text("\n".join(lines) + "\n")
+
+    @classmethod
     def tearDownClass(cls):
         cls.folder.cleanup()
 
     def test_every_mesh_has_a_row_and_a_molecule_that_holds(self):
-        self.assertEqual(set(self.rows), {"sphere", "torus"})
+        self.assertEqual(set(self.rows), {"sphere", "specks", "torus"})
         for row in self.rows.values():
             self.assertEqual(row["failure"], "")
             self.assertEqual((row["from_rest"], row["at_600K"]), ("intact", "intact"))
 
     def test_topology_shows_in_the_rings(self):
-        for mesh, euler in (("sphere", 2), ("torus", 0)):
+        for mesh, euler in (("sphere", 2), ("specks", 2), ("torus", 0)):
             row = self.rows[mesh]
             self.assertEqual(int(row["pentagons"]) - int(row["heptagons"]), 6 * euler)
 
@@ -56,6 +72,10 @@ class Suite(unittest.TestCase):
         self.assertIn("thin part", self.rows["torus"]["refusal"])
         self.assertGreater(int(self.rows["torus"]["atoms"]), 200)
         self.assertEqual(self.rows["sphere"]["refusal"], "")
+
+    def test_an_option_that_a_refusal_names_is_given(self):
+        self.assertIn("3 of 4 pieces are specks", self.rows["specks"]["refusal"])
+        self.assertEqual(self.rows["specks"]["meV_above_graphene"], self.rows["sphere"]["meV_above_graphene"])
 
     def test_what_is_done_is_not_done_again(self):
         self.assertFalse(self.made_again)
