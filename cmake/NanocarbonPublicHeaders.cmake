@@ -17,6 +17,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   core/neighbours_within.h
   core/output_file.h
   core/quality.h
+  core/space.h
   core/vec3.h
   core/version.h
   mesh/diagnose.h

@@ -12,25 +12,26 @@ struct Chains {
     for (AtomIndex c = 0; c < 2; ++c)
       for (AtomIndex k = 0; k < 8; ++k) {
         positions.push_back(Vec3(1.42 * k, apart * c, 0));
-        neighbours.push_back({k > 0 ? 8 * c + k - 1 : no_atom, k < 7 ? 8 * c + k + 1 : no_atom, no_atom});
+        graph.neighbours.push_back(
+            {k > 0 ? 8 * c + k - 1 : no_atom, k < 7 ? 8 * c + k + 1 : no_atom, no_atom});
       }
   }
   std::vector<Vec3> positions;
-  StericContacts::Neighbours neighbours;
+  FixedBondGraph graph;
 };
 
 TEST(StericContacts, AtomsOfTheSameNeighbourhoodDoNotRepel) {
   const Chains far(10.0);
   StericContacts contacts;
   std::vector<Vec3> gradient(far.positions.size(), Vec3::Zero());
-  EXPECT_EQ(contacts.evaluate(far.positions, far.neighbours, gradient), 0);
+  EXPECT_EQ(contacts.evaluate(far.positions, far.graph, gradient), 0);
 }
 
 TEST(StericContacts, SheetsThatNearlyTouchArePushedApart) {
   const Chains near(2.2);
   StericContacts contacts;
   std::vector<Vec3> gradient(near.positions.size(), Vec3::Zero());
-  EXPECT_GT(contacts.evaluate(near.positions, near.neighbours, gradient), 0);
+  EXPECT_GT(contacts.evaluate(near.positions, near.graph, gradient), 0);
   for (AtomIndex k = 0; k < 8; ++k) {
     EXPECT_GT(gradient[k].y(), 0);
     EXPECT_LT(gradient[8 + k].y(), 0);
@@ -41,9 +42,9 @@ TEST(StericContacts, PairsAreFoundAgainAfterAtomsHaveMoved) {
   Chains chains(10.0);
   StericContacts contacts;
   std::vector<Vec3> gradient(chains.positions.size(), Vec3::Zero());
-  EXPECT_EQ(contacts.evaluate(chains.positions, chains.neighbours, gradient), 0);
+  EXPECT_EQ(contacts.evaluate(chains.positions, chains.graph, gradient), 0);
   for (AtomIndex k = 8; k < 16; ++k) chains.positions[k].y() = 2.5;
-  EXPECT_GT(contacts.evaluate(chains.positions, chains.neighbours, gradient), 0);
+  EXPECT_GT(contacts.evaluate(chains.positions, chains.graph, gradient), 0);
 }
 
 TEST(StericContacts, ForceIsTheSlopeOfTheEnergy) {

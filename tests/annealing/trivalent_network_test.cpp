@@ -20,7 +20,7 @@ std::vector<Vec3> centroids(const TriangleMesh& mesh) {
 TEST(TrivalentNetwork, IsTheSameDualAsTheMoleculeRooms) {
   const TriangleMesh mesh = structures::icosahedral_triangulation(2, 1);
   const Molecule expected = molecule::dual(mesh);
-  const Molecule built = molecule_of(trivalent_network(mesh), centroids(mesh));
+  const Molecule built = molecule_of(trivalent_network(mesh), centroids(mesh), Space());
   EXPECT_EQ(built.bonds, expected.bonds);
   ASSERT_EQ(built.rings.size(), expected.rings.size());
   for (std::size_t r = 0; r < built.rings.size(); ++r)
@@ -37,7 +37,7 @@ TEST(TrivalentNetwork, AFullereneHasTwelvePentagons) {
 
 TEST(TrivalentNetwork, TriangulationOfADualIsTheOneItCameFrom) {
   const TriangleMesh mesh = structures::icosahedral_triangulation(2, 0);
-  const TriangleMesh back = triangulation_of(trivalent_network(mesh), centroids(mesh));
+  const TriangleMesh back = triangulation_of(trivalent_network(mesh), centroids(mesh), Space());
   EXPECT_EQ(back.triangles, mesh.triangles);
   EXPECT_EQ(back.points.size(), mesh.points.size());
 }
@@ -54,7 +54,7 @@ TEST(TrivalentNetwork, TriangulationOfAnOpenDualGoesToItsBoundary) {
       sheet.triangles.push_back({a, a + 1, a + side});
       sheet.triangles.push_back({a + 1, a + side + 1, a + side});
     }
-  const TriangleMesh back = triangulation_of(trivalent_network(sheet), centroids(sheet));
+  const TriangleMesh back = triangulation_of(trivalent_network(sheet), centroids(sheet), Space());
   EXPECT_EQ(back.triangles, sheet.triangles);
   std::size_t in_place = 0;
   for (std::size_t v = 0; v < sheet.points.size(); ++v)

@@ -21,7 +21,7 @@ annealing::SwitchingState fullerene_at_rest(int n) {
     state.positions.push_back(test::scale_for(sphere.triangles.size(), 4 * std::numbers::pi) *
                               (sphere.points[t[0]] + sphere.points[t[1]] + sphere.points[t[2]]).normalized());
   annealing::FixedBondModel model;
-  model.rebo2.set_graph(annealing::fixed_bond_graph(state.network));
+  model.rebo2.set_graph(annealing::fixed_bond_graph(state.network, state.space));
   annealing::minimise_fixed_bonds(model, nullptr, state.positions,
                                   {.max_iterations = 5000, .force_tolerance = 1e-5});
   return state;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <random>
 
@@ -78,6 +79,41 @@ TEST(Space, LeastWidthIsTheShortestTranslation) {
                    8 * std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(Space(cell_of({Vec3(-7, 7, 7), Vec3(7, -7, 7), Vec3(7, 7, -7)})).least_width(),
                    7 * std::sqrt(3.0));
+}
+
+TEST(Space, WrapsPointsIntoTheCellByTranslations) {
+  for (const Cell& cell : cells()) {
+    const Space space(cell);
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 p = random_point(50), inside = space.wrapped(p);
+      const Vec3 fractional = cell.vectors.inverse() * inside, moved = cell.vectors.inverse() * (inside - p);
+      for (int d = 0; d < 3; ++d) {
+        EXPECT_NEAR(moved[d], std::round(moved[d]), 1e-10);
+        if (!cell.periodic[static_cast<std::size_t>(d)]) continue;
+        EXPECT_GE(fractional[d], -1e-12);
+        EXPECT_LT(fractional[d], 1 + 1e-12);
+      }
+    }
+  }
+  EXPECT_EQ(Space().wrapped(Vec3(1, -2, 3)), Vec3(1, -2, 3));
+}
+
+TEST(Space, ImagesLeadToTheNearestPlace) {
+  for (const Cell& cell : cells()) {
+    const Space space(cell);
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 a = random_point(40), b = random_point(40);
+      EXPECT_LT((b + image_shift(cell, space.image(a, b)) - a - space.displacement(a, b)).norm(), 1e-11);
+    }
+  }
+  EXPECT_EQ(Space().image(Vec3(1, 2, 3), Vec3(40, 5, 6)), (std::array<std::int32_t, 3>{0, 0, 0}));
+}
+
+TEST(Space, StrainsItsCell) {
+  Mat3 deformation = Mat3::Identity();
+  deformation(0, 0) = 1.1;
+  const Space space = Space(orthogonal_cell({10, 12, 9})).strained(deformation);
+  EXPECT_NEAR(space.displacement(Vec3::Zero(), Vec3(10.9, 0, 0)).x(), -0.1, 1e-12);
 }
 
 TEST(Space, ScalesWithItsCell) {

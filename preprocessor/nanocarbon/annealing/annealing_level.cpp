@@ -28,25 +28,29 @@ std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double
   } catch (const UserError&) {
     return {};
   }
-  const auto& points = triangulation.points;
-  for (const Triangle& t : triangulation.triangles)
-    level.state.positions.push_back((points[t[0]] + points[t[1]] + points[t[2]]) / 3);
+  level.state.space = triangulation.space;
+  for (const Triangle& t : triangulation.triangles) {
+    const auto [a, b, c] = corners_of(triangulation, t);
+    level.state.positions.push_back((a + b + c) / 3);
+  }
   level.state.tether = tether;
   level.state.free_mean = free_mean;
   return level;
 }
 
 bool holds(const AnnealingLevel& level) {
-  const GeometryCheck check = check_geometry(level.state.positions, fixed_bond_graph(level.state.network));
+  const GeometryCheck check =
+      check_geometry(level.state.positions, fixed_bond_graph(level.state.network, level.state.space));
   return is_safe(check.longest_bond, check.closest_unbonded);
 }
 
 void relax_level(AnnealingLevel& level, const TetherSurface& surface, bool raw) {
-  const auto relaxed = relax_network(fixed_bond_graph(level.state.network), level.state.positions, surface,
-                                     {.tether = level.state.tether,
-                                      .untangling_attempts = raw ? 1u : 0u,
-                                      .free_mean = level.state.free_mean,
-                                      .springs_first = raw});
+  const auto relaxed =
+      relax_network(fixed_bond_graph(level.state.network, level.state.space), level.state.positions, surface,
+                    {.tether = level.state.tether,
+                     .untangling_attempts = raw ? 1u : 0u,
+                     .free_mean = level.state.free_mean,
+                     .springs_first = raw});
   level.unannealed = relaxed.energy / static_cast<double>(level.state.positions.size());
   level.mean_distance = relaxed.mean_distance;
   level.sound = is_safe(relaxed.longest_bond, relaxed.closest_unbonded);
@@ -70,7 +74,8 @@ void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchi
 }
 
 double lost_reach(const AnnealingLevel& level, const TriangleMesh& surface) {
-  const TriangleMesh triangulation = triangulation_of(level.state.network, level.state.positions);
+  const TriangleMesh triangulation =
+      triangulation_of(level.state.network, level.state.positions, level.state.space);
   const mesh::NearestPoint nearest(triangulation);
   double lost = 0;
   for (const mesh::SurfacePoint& foot : nearest.nearest(surface.points)) lost = std::max(lost, foot.distance);

@@ -256,7 +256,7 @@ class Annealer {
 double relax_state(SwitchingState& state, const TetherSurface& surface, int max_iterations,
                    double force_tolerance) {
   FixedBondModel model;
-  model.rebo2.set_graph(fixed_bond_graph(state.network));
+  model.rebo2.set_graph(fixed_bond_graph(state.network, state.space));
   model.tether = state.tether;
   model.free_mean = state.free_mean;
   if (state.planes.size() != state.positions.size()) state.planes = tangent_planes(surface, state.positions);
@@ -267,7 +267,7 @@ double relax_state(SwitchingState& state, const TetherSurface& surface, int max_
   state.planes = std::move(model.planes);
   state.mean_height = state.free_mean ? mean_height(state.planes, state.positions) : 0;
   state.contacts = std::move(model.contacts);
-  state.contacts.renew(state.positions, model.rebo2.graph().neighbours);
+  state.contacts.renew(state.positions, model.rebo2.graph());
   return relaxed.energy;
 }
 

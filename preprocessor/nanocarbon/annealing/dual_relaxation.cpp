@@ -20,8 +20,7 @@ void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::
   for (int round = 0; round < 3; ++round) {
     model.planes = tangent_planes(surface, positions, model.planes);
     const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
-      return add_springs(model.rebo2.graph(), x, g) +
-             model.contacts.evaluate(x, model.rebo2.graph().neighbours, g) +
+      return add_springs(model.rebo2.graph(), x, g) + model.contacts.evaluate(x, model.rebo2.graph(), g) +
              add_tether(model.planes, spring_tether, x, g, model.free_mean);
     };
     minimisation::minimise_lbfgs(positions, energy,

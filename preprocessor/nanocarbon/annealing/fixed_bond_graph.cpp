@@ -10,6 +10,7 @@ namespace nanocarbon::annealing {
 FixedBondGraph fixed_bond_graph(const Molecule& molecule) {
   FixedBondGraph graph;
   graph.neighbours.assign(molecule.size(), {no_atom, no_atom, no_atom});
+  if (molecule.cell) graph.space = Space(*molecule.cell);
   const auto add = [&](AtomIndex from, AtomIndex to) {
     for (AtomIndex& slot : graph.neighbours[from])
       if (slot == no_atom) {
@@ -26,8 +27,9 @@ FixedBondGraph fixed_bond_graph(const Molecule& molecule) {
   return graph;
 }
 
-FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network) {
+FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network, const Space& space) {
   FixedBondGraph graph;
+  graph.space = space;
   graph.neighbours.reserve(network.atoms.size());
   for (const TrivalentAtom& atom : network.atoms)
     graph.neighbours.push_back(atom.exists() ? atom.neighbour : std::array{no_atom, no_atom, no_atom});

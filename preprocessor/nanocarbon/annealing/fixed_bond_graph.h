@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nanocarbon/annealing/trivalent_network.h"
+#include "nanocarbon/core/space.h"
 #include "nanocarbon/molecule/molecule.h"
 
 namespace nanocarbon::annealing {
@@ -18,6 +19,7 @@ namespace nanocarbon::annealing {
 struct FixedBondGraph {
   std::vector<std::array<AtomIndex, 3>> neighbours;
   std::size_t inner = static_cast<std::size_t>(-1);
+  Space space = {};  //!< of the positions: in a cell each bond is with the nearest image
 
   std::size_t inner_count() const { return std::min(inner, neighbours.size()); }
   bool complete(AtomIndex atom) const {
@@ -32,11 +34,11 @@ struct FixedBondGraph {
   }
 };
 
-//! The bond graph of a molecule in free space.
+//! The bond graph of a molecule.
 //! \throw UserError (unsuitable) if an atom has more than three bonds.
 FixedBondGraph fixed_bond_graph(const Molecule& molecule);
 
 //! The bond graph of a network; unused atoms have no neighbours.
-FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network);
+FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network, const Space& space);
 
 }  // namespace nanocarbon::annealing

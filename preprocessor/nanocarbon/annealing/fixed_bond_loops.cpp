@@ -60,6 +60,9 @@ void FixedBondLoops::set_graph(const FixedBondGraph& graph) {
   geometry_.resize(blocks_ * 12 * rebo2::sp2_block);
   tensors_.assign(blocks_ * 18 * rebo2::sp2_block + 6, 0);
   forces_.resize(3 * graph.neighbours.size());
+  space_ = graph.space;
+  copies_known_ = !space_.periodic();
+  copies_.clear();
 }
 
 void FixedBondLoops::lay_out_bonds(const FixedBondGraph& graph) {
@@ -99,21 +102,44 @@ void FixedBondLoops::set_modifiers(const FixedBondGraph& graph, std::size_t fast
     modifiers_[block] = which[block] ? &special_[which[block] - 1] : &plain;
 }
 
+void FixedBondLoops::find_copies(std::span<const Vec3> positions) {
+  for (std::size_t at = 0; at < atoms_.size(); ++at)
+    for (std::uint32_t s = 0; s < 3; ++s) {
+      std::uint32_t& n =
+          neighbours_[(at / rebo2::sp2_block * 3 + s) * rebo2::sp2_block + at % rebo2::sp2_block];
+      const std::array<std::int32_t, 3> image = space_.image(positions[atoms_[at]], positions[n]);
+      if (image == std::array<std::int32_t, 3>{0, 0, 0}) continue;
+      copies_.push_back({n, image_shift(*space_.cell(), image)});
+      n = static_cast<std::uint32_t>(positions.size() + copies_.size() - 1);
+    }
+  forces_.resize(3 * (positions.size() + copies_.size()));
+  copies_known_ = true;
+}
+
 std::optional<double> FixedBondLoops::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   if (blocks_ == 0) return 0.0;
+  if (!copies_known_) find_copies(positions);
+  const Vec3* places = positions.data();
+  if (!copies_.empty()) {
+    with_copies_.assign(positions.begin(), positions.end());
+    for (const Copy& copy : copies_) with_copies_.push_back(positions[copy.of] + copy.shift);
+    places = with_copies_.data();
+  }
   static const rebo2::Sp2Constants constants = wide_constants();
   static const rebo2::Sp2Loops& loops = rebo2::usable_sp2_kernels().front()->bond_order;
   std::fill(forces_.begin(), forces_.end(), 0.0);
-  const rebo2::Sp2Data data = {&constants,         positions.data()->data(), atoms_.data(),
-                               neighbours_.data(), reverses_.data(),         slots_.data(),
-                               geometry_.data(),   tensors_.data(),          outside_.data(),
-                               modifiers_.data(),  forces_.data(),           nullptr};
+  const rebo2::Sp2Data data = {&constants,       places->data(),    atoms_.data(),    neighbours_.data(),
+                               reverses_.data(), slots_.data(),     geometry_.data(), tensors_.data(),
+                               outside_.data(),  modifiers_.data(), forces_.data(),   nullptr};
   loops.first(data, 0, blocks_);
   if (std::any_of(outside_.begin(), outside_.end(), [](std::uint32_t bits) { return bits != 0; })) return {};
   rebo2::Sp2Energy energy = {};
   loops.second(data, 0, blocks_, &energy);
   for (std::size_t a = 0; a < gradient.size(); ++a)
     for (int d = 0; d < 3; ++d) gradient[a][d] -= forces_[3 * a + static_cast<std::size_t>(d)];
+  for (std::size_t c = 0; c < copies_.size(); ++c)
+    for (int d = 0; d < 3; ++d)
+      gradient[copies_[c].of][d] -= forces_[3 * (gradient.size() + c) + static_cast<std::size_t>(d)];
   return energy.repulsive + energy.sigma_pi + energy.conjugation + energy.dihedral;
 }
 

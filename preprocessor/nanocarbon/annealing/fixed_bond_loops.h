@@ -38,7 +38,19 @@ class FixedBondLoops {
   std::vector<double> geometry_, tensors_, forces_;
   std::size_t blocks_ = 0;
 
+  // In a cell, bonds that lead to another image lead to a copy of the atom there: the loops know no cell. Which
+  // do is found at the first positions and kept, so that it cannot change while atoms move.
+  struct Copy {
+    AtomIndex of;
+    Vec3 shift;
+  };
+  Space space_;
+  bool copies_known_ = false;
+  std::vector<Copy> copies_;
+  std::vector<Vec3> with_copies_;  // positions
+
   void lay_out_bonds(const FixedBondGraph& graph);
+  void find_copies(std::span<const Vec3> positions);
   void set_modifiers(const FixedBondGraph& graph, std::size_t fast);
 };
 

@@ -10,7 +10,7 @@ namespace nanocarbon::annealing {
 double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   double energy = rebo2.evaluate(positions, gradient);
   energy += add_guards(rebo2.graph(), positions, gradient);
-  energy += contacts.evaluate(positions, rebo2.graph().neighbours, gradient);
+  energy += contacts.evaluate(positions, rebo2.graph(), gradient);
   if (!planes.empty()) energy += add_tether(planes, tether, positions, gradient, free_mean);
   return energy;
 }

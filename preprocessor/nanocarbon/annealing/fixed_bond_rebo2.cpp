@@ -50,7 +50,7 @@ void FixedBondRebo2::set_edges(std::size_t atom, std::span<const Vec3> positions
       edges_[3 * atom + s] = {0, 0, 0, 0};
       continue;
     }
-    const Vec3 d = positions[n] - positions[atom];
+    const Vec3 d = graph_.space.displacement(positions[atom], positions[n]);
     const double r = d.norm();
     edges_[3 * atom + s] = {d.x() / r, d.y() / r, d.z() / r, r};
   }

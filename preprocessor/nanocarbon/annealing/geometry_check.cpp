@@ -11,18 +11,19 @@ namespace nanocarbon::annealing {
 GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondGraph& graph) {
   GeometryCheck check;
   check.shortest_bond = std::numeric_limits<double>::infinity();
-  const NeighbourList close = neighbours_within(positions, nullptr, unbonded_search_radius);
+  const NeighbourList close = neighbours_within(positions, graph.space.cell(), unbonded_search_radius);
   for (AtomIndex a = 0; a < positions.size(); ++a) {
     const auto& bonded = graph.neighbours[a];
     for (const AtomIndex n : bonded) {
       if (n == no_atom) continue;
-      const double length = (positions[n] - positions[a]).norm();
+      const double length = graph.space.displacement(positions[a], positions[n]).norm();
       check.shortest_bond = std::min(check.shortest_bond, length);
       check.longest_bond = std::max(check.longest_bond, length);
     }
     for (const Neighbour& n : close.of(a))
       if (std::find(bonded.begin(), bonded.end(), n.atom) == bonded.end())
-        check.closest_unbonded = std::min(check.closest_unbonded, (positions[n.atom] - positions[a]).norm());
+        check.closest_unbonded = std::min(check.closest_unbonded,
+                                          graph.space.displacement(positions[a], positions[n.atom]).norm());
   }
   return check;
 }

@@ -17,11 +17,12 @@ double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions,
       const AtomIndex n = neighbours[s], m = neighbours[(s + 1) % 3];
       if (n == no_atom) continue;
       if (n > a)
-        energy += add_harmonic_pair(positions[a], positions[n], bond_rest_length, options.bond, gradient[a],
-                                    gradient[n]);
+        energy += add_harmonic_pair(positions[a], graph.space.beside(positions[n], positions[a]),
+                                    bond_rest_length, options.bond, gradient[a], gradient[n]);
       if (m != no_atom)
-        energy += add_harmonic_pair(positions[n], positions[m], second_neighbour_rest_length,
-                                    options.second_neighbour, gradient[n], gradient[m]);
+        energy += add_harmonic_pair(positions[n], graph.space.beside(positions[m], positions[n]),
+                                    second_neighbour_rest_length, options.second_neighbour, gradient[n],
+                                    gradient[m]);
     }
   }
   return energy;

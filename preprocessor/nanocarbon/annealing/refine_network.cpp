@@ -7,16 +7,19 @@
 namespace nanocarbon::annealing {
 
 SwitchingState refined_in_four(const SwitchingState& coarse, const TetherSurface& finer_surface) {
-  TriangleMesh mesh = triangulation_of(coarse.network, coarse.positions);
+  TriangleMesh mesh = triangulation_of(coarse.network, coarse.positions, coarse.space);
   for (Vec3& p : mesh.points) p = finer_surface.nearest(2 * p);
   TriangleMesh fine;
   fine.points = mesh.points;
+  fine.space = finer_surface.space();
   std::unordered_map<std::uint64_t, VertexIndex>
       midpoint_of;  // by edge; looked up only, never walked through
   const auto midpoint = [&](VertexIndex a, VertexIndex b) {
     const std::uint64_t key = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
     const auto [entry, added] = midpoint_of.try_emplace(key, static_cast<VertexIndex>(fine.points.size()));
-    if (added) fine.points.push_back(finer_surface.nearest(0.5 * (mesh.points[a] + mesh.points[b])));
+    if (added)
+      fine.points.push_back(
+          finer_surface.nearest(0.5 * (mesh.points[a] + fine.space.beside(mesh.points[b], mesh.points[a]))));
     return entry->second;
   };
   for (const Triangle& t : mesh.triangles) {
@@ -30,8 +33,11 @@ SwitchingState refined_in_four(const SwitchingState& coarse, const TetherSurface
   state.network = trivalent_network(fine);
   state.tether = coarse.tether;
   state.free_mean = coarse.free_mean;
-  for (const Triangle& t : fine.triangles)
-    state.positions.push_back((fine.points[t[0]] + fine.points[t[1]] + fine.points[t[2]]) / 3);
+  state.space = fine.space;
+  for (const Triangle& t : fine.triangles) {
+    const auto [a, b, c] = corners_of(fine, t);
+    state.positions.push_back((a + b + c) / 3);
+  }
   return state;
 }
 

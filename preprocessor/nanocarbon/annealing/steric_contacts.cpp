@@ -55,9 +55,10 @@ double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a) {
   return 0.5 * stiffness * overlap * overlap;
 }
 
-void StericContacts::renew(std::span<const Vec3> positions, const Neighbours& neighbours) {
+void StericContacts::renew(std::span<const Vec3> positions, const FixedBondGraph& graph) {
+  const Neighbours& neighbours = graph.neighbours;
   reference_.assign(positions.begin(), positions.end());
-  const NeighbourList candidates = neighbours_within(positions, nullptr, steric_reach + margin);
+  const NeighbourList candidates = neighbours_within(positions, graph.space.cell(), steric_reach + margin);
   offsets_.assign(1, 0);
   near_.clear();
   const auto used = [&](AtomIndex a) {
@@ -83,18 +84,18 @@ void StericContacts::renew(std::span<const Vec3> positions, const Neighbours& ne
   }
 }
 
-double StericContacts::evaluate(std::span<const Vec3> positions, const Neighbours& neighbours,
+double StericContacts::evaluate(std::span<const Vec3> positions, const FixedBondGraph& graph,
                                 std::span<Vec3> gradient) {
   bool stale = reference_.size() != positions.size();
   for (std::size_t a = 0; a < positions.size() && !stale; ++a)
     stale = (positions[a] - reference_[a]).squaredNorm() > 0.25 * margin * margin;
-  if (stale) renew(positions, neighbours);
+  if (stale) renew(positions, graph);
   double energy = 0;
   for (AtomIndex a = 0; a < positions.size(); ++a)
     for (const AtomIndex b : near(a)) {
       if (b < a) continue;
       Vec3 at_a = Vec3::Zero();
-      energy += steric_pair(positions[a], positions[b], at_a);
+      energy += steric_pair(positions[a], graph.space.beside(positions[b], positions[a]), at_a);
       gradient[a] += at_a;
       gradient[b] -= at_a;
     }

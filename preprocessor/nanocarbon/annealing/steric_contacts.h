@@ -27,10 +27,10 @@ class StericContacts {
   using Neighbours = std::vector<std::array<AtomIndex, 3>>;
 
   //! Lists the pairs of atoms more than steric_excluded_bonds apart that are within the reach and the margin.
-  void renew(std::span<const Vec3> positions, const Neighbours& neighbours);
+  void renew(std::span<const Vec3> positions, const FixedBondGraph& graph);
 
   //! Energy in eV, gradient added to; renews the pairs first where atoms have moved too far.
-  double evaluate(std::span<const Vec3> positions, const Neighbours& neighbours, std::span<Vec3> gradient);
+  double evaluate(std::span<const Vec3> positions, const FixedBondGraph& graph, std::span<Vec3> gradient);
 
   //! Atoms listed as near the given one, in both directions.
   std::span<const AtomIndex> near(AtomIndex atom) const {

@@ -38,6 +38,7 @@ Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& 
       const TangentPlane plane = surface.plane_at(x);
       Vector7 row;
       row << plane.normal, arm.cross(plane.normal), with_scale ? arm.dot(plane.normal) : 0.0;
+      if (surface.space().periodic()) row.tail<4>().setZero();
       normal_matrix += row * row.transpose() / count;
       right -= height_above(plane, x) * row / count;
       misfit += (x - plane.point).squaredNorm() / count;

@@ -20,7 +20,7 @@ struct Similarity {
 
 //! \brief The motion that brings atoms closest to a surface, in the sense of least squares of the heights
 //! above the nearest tangent planes (Chen and Medioni 1992).
-//! \details Motions that change no height (turns of a sphere) are left out.
+//! \details Motions that change no height (turns of a sphere) are left out. In a cell only shifts are motions.
 //! \param with_scale let the atoms grow or shrink, too
 //! \return a motion that leaves them no farther from the surface than they were, in the mean square
 Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& surface, bool with_scale);

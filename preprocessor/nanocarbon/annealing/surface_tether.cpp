@@ -14,7 +14,7 @@ constexpr double other_side = -0.3, farthest_side = 8;  // Angstrom
 
 TriangleMesh scaled_mesh(const TriangleMesh& surface, double scale) {
   TriangleMesh scaled = surface;
-  for (Vec3& p : scaled.points) p *= scale;
+  rescale(scaled, scale);
   return scaled;
 }
 
@@ -28,7 +28,7 @@ double angle_at(const Vec3& corner, const Vec3& a, const Vec3& b) {
 std::vector<Vec3> vertex_normals_of(const TriangleMesh& mesh) {
   std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 p[3] = {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+    const std::array<Vec3, 3> p = corners_of(mesh, t);
     const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
     for (int s = 0; s < 3; ++s) normals[t[s]] += angle_at(p[s], p[(s + 1) % 3], p[(s + 2) % 3]) * normal;
   }
@@ -56,7 +56,9 @@ TetherSurface::TetherSurface(const TriangleMesh& surface, double scale)
 
 TangentPlane TetherSurface::plane_at(const Vec3& foot, std::uint32_t triangle) const {
   const Triangle& t = scaled_.triangles[triangle];
-  const Vec3 weight = barycentric(foot, scaled_.points[t[0]], scaled_.points[t[1]], scaled_.points[t[2]]);
+  const Vec3 a = scaled_.space.beside(scaled_.points[t[0]], foot);
+  const Vec3 weight = barycentric(foot, a, scaled_.space.beside(scaled_.points[t[1]], a),
+                                  scaled_.space.beside(scaled_.points[t[2]], a));
   Vec3 normal = weight[0] * vertex_normals_[t[0]] + weight[1] * vertex_normals_[t[1]] +
                 weight[2] * vertex_normals_[t[2]];
   const double length = normal.norm();
@@ -74,21 +76,23 @@ TangentPlane TetherSurface::plane_at(const Vec3& position, const Vec3& facing) c
   if (nearest.normal.dot(facing) > other_side) return nearest;
   double best = farthest_side * farthest_side;
   TangentPlane plane = nearest;
-  mesh::visit_triangles(
-      tree_,
-      [&](const mesh::BoundingBox& box) {
-        return (position - position.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm() < best;
-      },
-      [&](std::uint32_t triangle) {
-        const Triangle& t = scaled_.triangles[triangle];
-        const Vec3 &a = scaled_.points[t[0]], &b = scaled_.points[t[1]], &c = scaled_.points[t[2]];
-        const Vec3 foot = mesh::nearest_on_triangle(position, a, b, c);
-        if ((foot - position).squaredNorm() >= best) return;
-        const TangentPlane candidate = plane_at(foot, triangle);
-        if (candidate.normal.dot(facing) <= other_side) return;
-        best = (foot - position).squaredNorm();
-        plane = candidate;
-      });
+  scaled_.space.for_images([&](const Vec3& shift) {
+    const Vec3 at = scaled_.space.wrapped(position) + shift;
+    mesh::visit_triangles(
+        tree_,
+        [&](const mesh::BoundingBox& box) {
+          return (at - at.cwiseMax(box.low).cwiseMin(box.high)).squaredNorm() < best;
+        },
+        [&](std::uint32_t triangle) {
+          const auto [a, b, c] = corners_in_cell(scaled_, scaled_.triangles[triangle]);
+          const Vec3 foot = mesh::nearest_on_triangle(at, a, b, c);
+          if ((foot - at).squaredNorm() >= best) return;
+          const TangentPlane candidate = plane_at(foot, triangle);
+          if (candidate.normal.dot(facing) <= other_side) return;
+          best = (foot - at).squaredNorm();
+          plane = {candidate.point - (at - position), candidate.normal};
+        });
+  });
   return plane;
 }
 

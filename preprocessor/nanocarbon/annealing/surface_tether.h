@@ -9,7 +9,7 @@
 
 namespace nanocarbon::annealing {
 
-//! The plane an atom is held to.
+//! The plane an atom is held to; in a cell the image beside the atom.
 struct TangentPlane {
   Vec3 point;   //!< Angstrom
   Vec3 normal;  //!< unit, outward
@@ -30,6 +30,7 @@ class TetherSurface {
   //! thin part may be nearer.
   TangentPlane plane_at(const Vec3& position, const Vec3& facing) const;
 
+  const Space& space() const { return scaled_.space; }
   double distance(const Vec3& position) const;  //!< to the surface, Angstrom
   Vec3 nearest(const Vec3& position) const;     //!< point of the surface, Angstrom
 

@@ -34,6 +34,7 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
   radius_ = radius;
   tether_ = state.tether;
   mean_height_ = state.mean_height;
+  graph_.space = state.space;
   const auto take = [&](AtomIndex a, unsigned distance) {
     if (a == no_atom || local_of_[a] != no_atom) return;
     local_of_[a] = static_cast<AtomIndex>(global_.size());
@@ -122,13 +123,14 @@ void SwitchingPatch::place_flipped(AtomIndex i, AtomIndex j) {
   const auto outer = [&](AtomIndex a, AtomIndex other) {
     Vec3 sum = Vec3::Zero();
     for (const AtomIndex n : atoms_[a].neighbour)
-      if (n != other) sum += 0.5 * positions_[n];
+      if (n != other) sum += 0.5 * graph_.space.beside(positions_[n], positions_[i]);
     return sum;
   };
-  const Vec3 centre = 0.5 * (positions_[i] + positions_[j]);
+  const Vec3 centre = 0.5 * (positions_[i] + graph_.space.beside(positions_[j], positions_[i]));
   const Vec3 direction = (outer(i, j) - outer(j, i)).normalized();
   positions_[i] = centre + 0.5 * bond_rest_length * direction;
-  positions_[j] = centre - 0.5 * bond_rest_length * direction;
+  // Beside where it was, as its plane is.
+  positions_[j] = graph_.space.beside(centre - 0.5 * bond_rest_length * direction, positions_[j]);
 }
 
 void SwitchingPatch::place_added(AtomIndex u, AtomIndex w) {
@@ -136,17 +138,17 @@ void SwitchingPatch::place_added(AtomIndex u, AtomIndex w) {
     Vec3 sum = Vec3::Zero();
     for (const AtomIndex n : atoms_[a].neighbour)
       if (n != other) {
-        sum += 0.5 * positions_[n];
         ends.push_back(n);
+        sum += 0.5 * graph_.space.beside(positions_[n], positions_[ends.front()]);
       }
     return sum;
   };
   std::vector<AtomIndex> ends;
   positions_[u] = between(u, w, ends);
-  positions_[w] = between(w, u, ends);
+  positions_[w] = graph_.space.beside(between(w, u, ends), positions_[ends[2]]);
   planes_[u] = planes_[ends[0]];
   planes_[w] = planes_[ends[2]];
-  const Vec3 apart = positions_[w] - positions_[u];
+  const Vec3 apart = graph_.space.displacement(positions_[u], positions_[w]);
   const double length = apart.norm();
   if (length > bond_rest_length) {
     const Vec3 inward = 0.5 * (length - bond_rest_length) / length * apart;
@@ -171,7 +173,9 @@ double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span
     if (both_free && !atoms_[contact.other_local].exists()) continue;
     Vec3 at_own = Vec3::Zero();
     energy += steric_pair(positions_[contact.local],
-                          both_free ? positions_[contact.other_local] : contact.other, at_own);
+                          graph_.space.beside(both_free ? positions_[contact.other_local] : contact.other,
+                                              positions_[contact.local]),
+                          at_own);
     gradient_[contact.local] += at_own;
     if (both_free) gradient_[contact.other_local] -= at_own;
   }
@@ -217,7 +221,8 @@ bool SwitchingPatch::unfolded(double least_cosine) const {
   for (std::size_t k = 0; k < free_; ++k) {
     const auto& n = atoms_[k].neighbour;
     if (!atoms_[k].exists() || n[0] == no_atom || n[1] == no_atom || n[2] == no_atom) continue;
-    const Vec3 normal = (positions_[n[1]] - positions_[n[0]]).cross(positions_[n[2]] - positions_[n[0]]);
+    const Vec3 normal = graph_.space.displacement(positions_[n[0]], positions_[n[1]])
+                            .cross(graph_.space.displacement(positions_[n[0]], positions_[n[2]]));
     if (normal.dot(planes_[k].normal) < least_cosine * normal.norm()) return false;
   }
   return true;

@@ -15,6 +15,7 @@ struct SwitchingState {
   TrivalentNetwork network;
   std::vector<Vec3> positions;
   std::vector<TangentPlane> planes;
+  Space space = {};         //!< of the positions
   double tether = 0.05;     //!< eV/Angstrom^2
   bool free_mean = true;    //!< of the heights above the surface, see add_tether()
   double mean_height = 0;   //!< Angstrom, where the tether is at rest; as of the last relaxation of the whole

@@ -61,10 +61,12 @@ void move_boundary_out(const TrivalentNetwork& network, std::span<const Vec3> po
       const RingIndex r = network.atoms[a].ring[s];
       if (!network.rings[r].boundary) continue;
       const RingIndex x = network.atoms[a].ring[(s + 1) % 3], y = network.atoms[a].ring[(s + 2) % 3];
+      const Vec3 here = mesh.points[r], atom = mesh.space.beside(positions[a], here);
+      const auto centre = [&](RingIndex ring) { return mesh.space.beside(mesh.points[ring], atom); };
       if (!network.rings[x].boundary && !network.rings[y].boundary)
-        centroid_rule[r].add(3 * positions[a] - mesh.points[x] - mesh.points[y]);
+        centroid_rule[r].add(3 * atom - centre(x) - centre(y));
       for (const RingIndex inner : {x, y})
-        if (!network.rings[inner].boundary) beyond[r].add(2 * mesh.points[r] - mesh.points[inner]);
+        if (!network.rings[inner].boundary) beyond[r].add(2 * here - centre(inner));
     }
   for (RingIndex r = 0; r < network.rings.size(); ++r) {
     const Mean& mean = centroid_rule[r].count > 0 ? centroid_rule[r] : beyond[r];
@@ -158,13 +160,14 @@ std::vector<AtomIndex> compact(TrivalentNetwork& network) {
   return former;
 }
 
-Molecule molecule_of(const TrivalentNetwork& network, std::span<const Vec3> positions) {
+Molecule molecule_of(const TrivalentNetwork& network, std::span<const Vec3> positions, const Space& space) {
   Molecule molecule;
+  if (space.periodic()) molecule.cell = *space.cell();
   molecule.positions.assign(positions.begin(), positions.end());
   molecule.elements.assign(positions.size(), Element::carbon);
   for (AtomIndex a = 0; a < network.atoms.size(); ++a)
     for (const AtomIndex n : network.atoms[a].neighbour)
-      if (n != no_atom && n > a) molecule.bonds.push_back({a, n});
+      if (n != no_atom && n > a) molecule.bonds.push_back({a, n, space.image(positions[a], positions[n])});
   std::sort(molecule.bonds.begin(), molecule.bonds.end());
   std::vector<AtomIndex> cycle;
   for (RingIndex r = 0; r < network.rings.size(); ++r) {
@@ -176,13 +179,16 @@ Molecule molecule_of(const TrivalentNetwork& network, std::span<const Vec3> posi
   return molecule;
 }
 
-TriangleMesh triangulation_of(const TrivalentNetwork& network, std::span<const Vec3> positions) {
+TriangleMesh triangulation_of(const TrivalentNetwork& network, std::span<const Vec3> positions,
+                              const Space& space) {
   TriangleMesh mesh;
+  mesh.space = space;
   mesh.points.assign(network.rings.size(), Vec3::Zero());
   for (AtomIndex a = 0; a < network.atoms.size(); ++a) {
     const TrivalentAtom& atom = network.atoms[a];
     mesh.triangles.push_back({atom.ring[0], atom.ring[1], atom.ring[2]});
-    for (const RingIndex r : atom.ring) mesh.points[r] += positions[a] / network.rings[r].size;
+    for (const RingIndex r : atom.ring)
+      mesh.points[r] += space.beside(positions[a], positions[network.rings[r].atom]) / network.rings[r].size;
   }
   move_boundary_out(network, positions, mesh);
   return mesh;

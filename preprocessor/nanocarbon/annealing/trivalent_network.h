@@ -56,13 +56,15 @@ std::size_t atom_count(const TrivalentNetwork& network);
 //! Moves the used entries to the front, keeping their order. Returns the former index of each atom.
 std::vector<AtomIndex> compact(TrivalentNetwork& network);
 
-//! The molecule of a compact network. Rings of the boundary are left out.
-Molecule molecule_of(const TrivalentNetwork& network, std::span<const Vec3> positions);
+//! The molecule of a compact network, in a cell with the images that its bonds lead to. Rings of the boundary
+//! are left out.
+Molecule molecule_of(const TrivalentNetwork& network, std::span<const Vec3> positions, const Space& space);
 
 //! \brief The triangulation whose dual a compact network is: triangle i is atom i, vertex r is ring r.
 //! \details Vertices are at the rings' centroids, those of the boundary as far outside as the sheet of atoms
 //! goes on there.
-TriangleMesh triangulation_of(const TrivalentNetwork& network, std::span<const Vec3> positions);
+TriangleMesh triangulation_of(const TrivalentNetwork& network, std::span<const Vec3> positions,
+                              const Space& space);
 
 //! Number of inner rings of each size: entry s counts the rings of s atoms.
 std::vector<std::size_t> ring_counts(const TrivalentNetwork& network);

@@ -16,12 +16,12 @@ constexpr int sweeps = 60;
 
 std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const FixedBondGraph& graph) {
   std::vector<AtomIndex> tangled;
-  const NeighbourList close = neighbours_within(positions, nullptr, closest_unbonded);
+  const NeighbourList close = neighbours_within(positions, graph.space.cell(), closest_unbonded);
   for (AtomIndex a = 0; a < positions.size(); ++a) {
     const auto& bonded = graph.neighbours[a];
     bool bad = false;
     for (const AtomIndex n : bonded)
-      bad |= n != no_atom && (positions[n] - positions[a]).norm() > longest_bond;
+      bad |= n != no_atom && graph.space.displacement(positions[a], positions[n]).norm() > longest_bond;
     for (const Neighbour& n : close.of(a))
       bad |= std::find(bonded.begin(), bonded.end(), n.atom) == bonded.end();
     if (bad) tangled.push_back(a);
@@ -50,7 +50,7 @@ std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph, 
       int count = 0;
       for (const AtomIndex n : graph.neighbours[a])
         if (n != no_atom) {
-          sum += positions[n];
+          sum += graph.space.beside(positions[n], positions[a]);
           ++count;
         }
       if (count == 3) positions[a] = sum / count;

@@ -184,12 +184,12 @@ class Recipe {
       // Without the tether, still on fixed bonds: the way to the minimum may stretch bonds that the end does
       // not. For the rest of the way the full potential is as safe and faster; where it was not, again.
       model = {};
-      model.rebo2.set_graph(annealing::fixed_bond_graph(level.state.network));
+      model.rebo2.set_graph(annealing::fixed_bond_graph(level.state.network, level.state.space));
       std::vector<Vec3> positions = level.state.positions;
       annealing::minimise_fixed_bonds(
           model, nullptr, positions,
           {.max_iterations = 2000, .force_tolerance = (attempt == 0 ? 50 : 3) * options_.force_tolerance});
-      result.molecule = annealing::molecule_of(level.state.network, positions);
+      result.molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
       const auto relaxed = minimisation::minimise_molecule(result.molecule, potential_,
                                                            {.force_tolerance = options_.force_tolerance});
       result.energy = relaxed.energy / static_cast<double>(result.molecule.size());

@@ -87,7 +87,7 @@ void build_by_thesis(BuildResult& result, const BuildOptions& options) {
   result.thesis = thesis::remesh_by_thesis(result.surface.mesh, thesis);
   result.triangulation = std::exchange(result.thesis->mesh, {});
   result.surface.scale *= result.thesis->scale;
-  for (Vec3& point : result.surface.mesh.points) point *= result.thesis->scale;
+  rescale(result.surface.mesh, result.thesis->scale);
   result.seconds.remeshing = stage.lap();
   if (!options.force) require_shape(result);
   result.molecule = molecule::dual(result.triangulation);
@@ -165,7 +165,7 @@ void certify_annealed(BuildResult& result, potential::Potential& potential, cons
   annealed.max_force = certificate.max_force;
   annealed.intact = certificate.intact;
   const annealing::GeometryCheck check =
-      annealing::check_geometry(result.molecule.positions, annealing::fixed_bond_graph(annealed.network));
+      annealing::check_geometry(result.molecule.positions, annealing::fixed_bond_graph(result.molecule));
   annealed.shortest_bond = check.shortest_bond;
   annealed.longest_bond = check.longest_bond;
   annealed.closest_unbonded = check.closest_unbonded;
@@ -209,7 +209,7 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   }
   result.molecule = std::exchange(result.annealed->molecule, {});
   result.surface.scale *= result.annealed->growth;
-  for (Vec3& point : result.surface.mesh.points) point *= result.annealed->growth;
+  rescale(result.surface.mesh, result.annealed->growth);
   require_bonds_that_hold(result, options);
   if (!options.force) require_rings_of_carbon(result.molecule);
   if (options.certify) {
@@ -218,7 +218,9 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
     require_bonds_that_hold(result, options);
   }
   require_likeness(result, *potential, options);
-  result.triangulation = annealing::triangulation_of(result.annealed->network, result.molecule.positions);
+  result.triangulation =
+      annealing::triangulation_of(result.annealed->network, result.molecule.positions,
+                                  result.molecule.cell ? Space(*result.molecule.cell) : Space());
   result.seconds.molecule = stage.lap() - result.seconds.remeshing;
 }
 

@@ -50,7 +50,7 @@ std::vector<double> edge_lengths_of(const TriangleMesh& mesh) {
   const mesh::EdgeTable edges = mesh::edge_table(mesh::soup_of(mesh));
   std::vector<double> lengths(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e)
-    lengths[e] = (mesh.points[edges.low[e]] - mesh.points[edges.high[e]]).norm();
+    lengths[e] = mesh.space.displacement(mesh.points[edges.high[e]], mesh.points[edges.low[e]]).norm();
   return lengths;
 }
 

@@ -36,7 +36,7 @@ CoarseStarts::CoarseStarts(const TriangleMesh& surface, std::size_t atoms, int r
       triangulate_(std::move(triangulate)),
       options_(std::move(options)),
       attempts_(options_.quality == Quality::best ? 4 : 2) {
-  for (Vec3& p : surface_.points) p *= scale();
+  rescale(surface_, scale());
 }
 
 std::optional<annealing::AnnealingLevel> CoarseStarts::next() {

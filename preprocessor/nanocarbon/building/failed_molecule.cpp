@@ -23,22 +23,24 @@ struct Fault {
 
 Fault worst_fault(const Molecule& molecule) {
   Fault worst{"atoms that do not lie as their bonds want", Vec3::Zero(), 0};
+  const Space space = molecule.cell ? Space(*molecule.cell) : Space();
+  const auto between = [&](AtomIndex a, AtomIndex b) {
+    return space.displacement(molecule.positions[a], molecule.positions[b]);
+  };
   const auto look = [&](AtomIndex a, AtomIndex b, double excess, const char* what) {
-    const Vec3 apart = molecule.positions[b] - molecule.positions[a];
+    const Vec3 apart = between(a, b);
     if (excess <= worst.excess) return;
     worst = {fmt::format("{} at {:.2f} A", what, apart.norm()), molecule.positions[a] + 0.5 * apart, excess};
   };
   std::vector<Bond> bonds = molecule.bonds;
   std::sort(bonds.begin(), bonds.end());
   for (const Bond& bond : bonds)
-    look(bond.first, bond.second,
-         (molecule.positions[bond.first] - molecule.positions[bond.second]).norm() - longest_bond,
-         "a bond stretched");
-  const NeighbourList near = neighbours_within(molecule.positions, nullptr, closest_unbonded);
+    look(bond.first, bond.second, between(bond.first, bond.second).norm() - longest_bond, "a bond stretched");
+  const NeighbourList near = neighbours_within(molecule.positions, space.cell(), closest_unbonded);
   for (AtomIndex a = 0; a < molecule.size(); ++a)
     for (const Neighbour& n : near.of(a))
       if (a < n.atom && !std::binary_search(bonds.begin(), bonds.end(), Bond{a, n.atom}))
-        look(a, n.atom, closest_unbonded - (molecule.positions[a] - molecule.positions[n.atom]).norm(),
+        look(a, n.atom, closest_unbonded - between(a, n.atom).norm(),
              "two atoms without a bond pressed together");
   return worst;
 }

@@ -76,7 +76,7 @@ SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& reque
                     sized.atoms, smallest_cage,
                     mesh::bounding_box(surface.points).longest_side() * scale_of.for_atoms(smallest_cage),
                     scale_of.for_atoms(smallest_cage)));
-  for (Vec3& point : sized.mesh.points) point *= sized.scale;
+  rescale(sized.mesh, sized.scale);
   return sized;
 }
 

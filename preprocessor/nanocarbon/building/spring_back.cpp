@@ -17,7 +17,7 @@ Released spring_back(const annealing::SwitchingState& state, const annealing::Te
                      bool with_scale) {
   const auto count = static_cast<double>(state.positions.size());
   annealing::FixedBondModel model;
-  model.rebo2.set_graph(annealing::fixed_bond_graph(state.network));
+  model.rebo2.set_graph(annealing::fixed_bond_graph(state.network, state.space));
   std::vector<Vec3> positions = state.positions;
   const minimisation::LbfgsResult released = annealing::minimise_fixed_bonds(
       model, nullptr, positions, {.max_iterations = iterations, .force_tolerance = force_tolerance});

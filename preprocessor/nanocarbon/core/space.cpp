@@ -8,34 +8,14 @@
 
 namespace nanocarbon {
 
-namespace {
-
-// Images that can be nearer than the rounded one in a skewed cell: its neighbours.
-template <class Visit>
-void for_neighbour_images(const Cell& cell, Visit visit) {
-  const auto steps = [&](int axis) { return cell.periodic[static_cast<std::size_t>(axis)] ? 1 : 0; };
-  for (int i = -steps(0); i <= steps(0); ++i)
-    for (int j = -steps(1); j <= steps(1); ++j)
-      for (int k = -steps(2); k <= steps(2); ++k) visit(image_shift(cell, {i, j, k}));
-}
-
-// Of the translations by one cell edge or none in each direction.
-double shortest_translation(const Cell& cell) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for_neighbour_images(cell, [&](const Vec3& shift) {
-    if (const double length = shift.norm(); length > 0) shortest = std::min(shortest, length);
-  });
-  return shortest;
-}
-
-}  // namespace
-
 Space::Space(const Cell& cell) {
   if (!cell.periodic[0] && !cell.periodic[1] && !cell.periodic[2]) return;
   cell_ = cell;
   to_fractional_ = cell.vectors.inverse();
   const Vec3 distances = face_distances(cell);
-  least_width_ = shortest_translation(cell);
+  for_images([&](const Vec3& shift) {
+    if (const double length = shift.norm(); length > 0) least_width_ = std::min(least_width_, length);
+  });
   // Below half the distance of two opposite faces the fractional coordinates are below a half each.
   double safe = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
@@ -50,10 +30,35 @@ Vec3 Space::nearest_image(const Vec3& difference) const {
   const Vec3 rounded = difference - cell_->vectors * fractional;
   if (rounded.squaredNorm() < safe_squared_) return rounded;
   Vec3 best = rounded;
-  for_neighbour_images(*cell_, [&](const Vec3& shift) {
+  // In a skewed cell a neighbour of the rounded image can be nearer.
+  for_images([&](const Vec3& shift) {
     if (const Vec3 other = rounded + shift; other.squaredNorm() < best.squaredNorm()) best = other;
   });
   return best;
+}
+
+Vec3 Space::wrapped(const Vec3& point) const {
+  if (!cell_) return point;
+  Vec3 fractional = to_fractional_ * (point - cell_->origin);
+  for (int axis = 0; axis < 3; ++axis)
+    fractional[axis] = cell_->periodic[static_cast<std::size_t>(axis)] ? std::floor(fractional[axis]) : 0.0;
+  return point - cell_->vectors * fractional;
+}
+
+std::array<std::int32_t, 3> Space::image(const Vec3& from, const Vec3& to) const {
+  if (!cell_) return {0, 0, 0};
+  const Vec3 multiples = to_fractional_ * (displacement(from, to) - (to - from));
+  return {static_cast<std::int32_t>(std::lround(multiples[0])),
+          static_cast<std::int32_t>(std::lround(multiples[1])),
+          static_cast<std::int32_t>(std::lround(multiples[2]))};
+}
+
+Space Space::strained(const Mat3& deformation) const {
+  if (!cell_) return {};
+  Cell cell = *cell_;
+  cell.vectors = deformation * cell.vectors;
+  cell.origin = deformation * cell.origin;
+  return Space(cell);
 }
 
 Space Space::scaled(double factor) const {

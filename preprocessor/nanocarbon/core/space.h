@@ -2,6 +2,8 @@
 // Where positions are: in free space, or in a cell that is periodic in one to three directions.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -21,6 +23,10 @@ class Space {
   //! \pre the cell is right-handed and not degenerate, and its edges are no longer than another basis of the
   //! lattice would have them by much: tilts of at most half an edge, as LAMMPS has them
   explicit Space(const Cell& cell);
+  //! Free where there is no cell, as molecules keep theirs.
+  explicit Space(const std::optional<Cell>& cell) {
+    if (cell) *this = Space(*cell);
+  }
 
   bool periodic() const { return cell_.has_value(); }
   //! nullptr in free space.
@@ -37,10 +43,22 @@ class Space {
     return cell_ ? Vec3(anchor + displacement(anchor, point)) : point;
   }
 
+  //! The image of a point that lies in the cell: its fractional coordinates along periodic edges are from 0 to
+  //! below 1. The point itself in free space.
+  Vec3 wrapped(const Vec3& point) const;
+  //! Cell multiples to add to the second position for the image of it that is nearest to the first.
+  std::array<std::int32_t, 3> image(const Vec3& from, const Vec3& to) const;
+  //! Calls visit(shift) for no translation and then for those by an edge of the cell or several different
+  //! ones, either way: where the images of the cell around it are. Once in free space.
+  template <class Visit>
+  void for_images(const Visit& visit) const;
+
   //! The least distance between a point and an image of it; infinite in free space.
   double least_width() const { return least_width_; }
   //! The same space with all lengths times a factor above zero.
   Space scaled(double factor) const;
+  //! The same space strained about the origin: positions x are now at deformation * x.
+  Space strained(const Mat3& deformation) const;
 
  private:
   Vec3 nearest_image(const Vec3& difference) const;
@@ -50,5 +68,16 @@ class Space {
   double least_width_ = std::numeric_limits<double>::infinity();
   double safe_squared_ = std::numeric_limits<double>::infinity();  // square of half the least width
 };
+
+template <class Visit>
+void Space::for_images(const Visit& visit) const {
+  visit(Vec3(Vec3::Zero()));
+  if (!cell_) return;
+  const auto steps = [&](std::size_t axis) { return cell_->periodic[axis] ? 1 : 0; };
+  for (int i = -steps(0); i <= steps(0); ++i)
+    for (int j = -steps(1); j <= steps(1); ++j)
+      for (int k = -steps(2); k <= steps(2); ++k)
+        if (i != 0 || j != 0 || k != 0) visit(image_shift(*cell_, {i, j, k}));
+}
 
 }  // namespace nanocarbon

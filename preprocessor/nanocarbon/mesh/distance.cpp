@@ -34,8 +34,9 @@ std::vector<Vec3> sample_by_area(const TriangleMesh& mesh, std::size_t samples) 
   std::vector<double> area_up_to;
   area_up_to.reserve(mesh.triangles.size());
   double sum = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sum += area_normal(mesh.points[a], mesh.points[b], mesh.points[c]).norm();
+  for (const Triangle& corners : mesh.triangles) {
+    const auto [a, b, c] = corners_of(mesh, corners);
+    sum += area_normal(a, b, c).norm();
     area_up_to.push_back(sum);
   }
   std::vector<Vec3> points;
@@ -53,9 +54,8 @@ std::vector<Vec3> sample_by_area(const TriangleMesh& mesh, std::size_t samples) 
       u = 1.0 - u;
       v = 1.0 - v;
     }
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    points.push_back(mesh.points[a] + u * (mesh.points[b] - mesh.points[a]) +
-                     v * (mesh.points[c] - mesh.points[a]));
+    const auto [a, b, c] = corners_of(mesh, mesh.triangles[triangle]);
+    points.push_back(a + u * (b - a) + v * (c - a));
   }
   return points;
 }

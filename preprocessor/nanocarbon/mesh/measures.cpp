@@ -34,12 +34,14 @@ BoundingBox bounding_box(std::span<const Vec3> points) {
   return box;
 }
 
-EdgeLengths edge_lengths(std::span<const Vec3> points, const EdgeTable& edges) {
+EdgeLengths edge_lengths(std::span<const Vec3> points, const EdgeTable& edges, const Space& space) {
   EdgeLengths result;
   result.edges = edges.size();
   if (edges.size() == 0) return result;
   result.min = 1e300;
-  const auto length = [&](std::size_t e) { return (points[edges.high[e]] - points[edges.low[e]]).norm(); };
+  const auto length = [&](std::size_t e) {
+    return space.displacement(points[edges.low[e]], points[edges.high[e]]).norm();
+  };
   for (std::size_t e = 0; e < edges.size(); ++e) {
     result.min = std::min(result.min, length(e));
     result.max = std::max(result.max, length(e));
@@ -54,15 +56,17 @@ EdgeLengths edge_lengths(std::span<const Vec3> points, const EdgeTable& edges) {
 }
 
 EdgeLengths edge_lengths(const TriangleMesh& mesh) {
-  return edge_lengths(mesh.points, edge_table(soup_of(mesh)));
+  return edge_lengths(mesh.points, edge_table(soup_of(mesh)), mesh.space);
 }
 
 Vec3 area_normal(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
 double area(const TriangleMesh& mesh) {
   double sum = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    sum += 0.5 * area_normal(mesh.points[a], mesh.points[b], mesh.points[c]).norm();
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto [a, b, c] = corners_of(mesh, triangle);
+    sum += 0.5 * area_normal(a, b, c).norm();
+  }
   return sum;
 }
 

@@ -44,7 +44,7 @@ struct EdgeLengths {
   double coefficient_of_variation() const { return mean > 0.0 ? standard_deviation / mean : 0.0; }
 };
 
-EdgeLengths edge_lengths(std::span<const Vec3> points, const EdgeTable& edges);
+EdgeLengths edge_lengths(std::span<const Vec3> points, const EdgeTable& edges, const Space& space = {});
 EdgeLengths edge_lengths(const TriangleMesh& mesh);
 
 //! The triangle's normal, as long as twice its area.

@@ -67,26 +67,31 @@ Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 }
 
 NearestPoint::NearestPoint(const TriangleMesh& mesh)
-    : tree_(triangle_tree(mesh)), corners_(mesh.triangles.size()), place_of_(mesh.triangles.size()) {
+    : space_(mesh.space),
+      tree_(triangle_tree(mesh)),
+      corners_(mesh.triangles.size()),
+      place_of_(mesh.triangles.size()) {
   for (std::uint32_t place = 0; place < corners_.size(); ++place) {
     const std::uint32_t triangle = tree_.triangles[place];
     place_of_[triangle] = place;
-    for (std::size_t i = 0; i < 3; ++i) corners_[place][i] = mesh.points[mesh.triangles[triangle][i]];
+    corners_[place] = corners_in_cell(mesh, mesh.triangles[triangle]);
   }
 }
 
 SurfacePoint NearestPoint::nearest(const Vec3& query) const {
   SurfacePoint best{Vec3::Zero(), 0, 0.0};
   double best_squared = std::numeric_limits<double>::infinity();
-  search(query, best, best_squared);
+  search_images(query, best, best_squared);
   return best;
 }
 
 SurfacePoint NearestPoint::nearest(const Vec3& query, std::uint32_t triangle_nearby) const {
   const Corners& corners = corners_[place_of_[triangle_nearby]];
-  SurfacePoint best{nearest_on_triangle(query, corners[0], corners[1], corners[2]), triangle_nearby, 0.0};
+  const Vec3 a = space_.beside(corners[0], query);
+  SurfacePoint best{nearest_on_triangle(query, a, space_.beside(corners[1], a), space_.beside(corners[2], a)),
+                    triangle_nearby, 0.0};
   double best_squared = (best.point - query).squaredNorm();
-  search(query, best, best_squared);
+  search_images(query, best, best_squared);
   return best;
 }
 
@@ -96,6 +101,17 @@ std::vector<SurfacePoint> NearestPoint::nearest(std::span<const Vec3> queries) c
   for (const Vec3& query : queries)
     found.push_back(found.empty() ? nearest(query) : nearest(query, found.back().triangle));
   return found;
+}
+
+void NearestPoint::search_images(const Vec3& query, SurfacePoint& best, double& best_squared) const {
+  if (!space_.periodic()) return search(query, best, best_squared);
+  const Vec3 inside = space_.wrapped(query);
+  space_.for_images([&](const Vec3& shift) {
+    const double before = best_squared;
+    search(inside + shift, best, best_squared);
+    if (best_squared < before) best.point += query - (inside + shift);
+  });
+  best.distance = std::sqrt(best_squared);
 }
 
 void NearestPoint::search(const Vec3& query, SurfacePoint& best, double& best_squared) const {

@@ -13,7 +13,7 @@ namespace nanocarbon::mesh {
 
 //! A point of a surface, and how far it was from where the search began.
 struct SurfacePoint {
-  Vec3 point;              //!< mesh units
+  Vec3 point;              //!< mesh units; in a cell the image beside where the search began
   std::uint32_t triangle;  //!< one that holds the point (of several, one of them)
   double distance;         //!< mesh units
 };
@@ -26,7 +26,7 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& 
 //! The point itself; exactly a corner where that is nearest.
 Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
-//! \brief Finds the exact nearest point on the triangles of a mesh.
+//! \brief Finds the exact nearest point on the triangles of a mesh, in a cell on all their images.
 //! \details Keeps what it needs of the mesh. Queries are const and may run in several threads at once.
 class NearestPoint {
  public:
@@ -43,8 +43,10 @@ class NearestPoint {
  private:
   using Corners = std::array<Vec3, 3>;
 
+  void search_images(const Vec3& query, SurfacePoint& best, double& best_squared) const;
   void search(const Vec3& query, SurfacePoint& best, double& best_squared) const;
 
+  Space space_;
   TriangleTree tree_;
   std::vector<Corners> corners_;         // in the order of the tree's leaves
   std::vector<std::uint32_t> place_of_;  // of a triangle in that order

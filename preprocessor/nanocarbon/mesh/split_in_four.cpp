@@ -11,12 +11,14 @@ TriangleMesh split_in_four(const TriangleMesh& mesh) {
   const EdgeTable edges = edge_table(soup_of(mesh));
   TriangleMesh fine;
   fine.points = mesh.points;
+  fine.space = mesh.space;
   fine.points.reserve(mesh.points.size() + edges.size());
   std::vector<VertexIndex> middle(3 * mesh.triangles.size());  // of the side that begins at a corner
   for (std::size_t e = 0; e < edges.size(); ++e) {
     for (const EdgeUse& use : edges.uses_of(e))
       middle[use.corner] = static_cast<VertexIndex>(fine.points.size());
-    fine.points.push_back(0.5 * (mesh.points[edges.low[e]] + mesh.points[edges.high[e]]));
+    const Vec3& low = mesh.points[edges.low[e]];
+    fine.points.push_back(0.5 * (low + mesh.space.beside(mesh.points[edges.high[e]], low)));
   }
   fine.triangles.reserve(4 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

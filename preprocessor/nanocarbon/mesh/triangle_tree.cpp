@@ -28,7 +28,7 @@ class Builder {
   explicit Builder(const TriangleMesh& mesh)
       : boxes_(mesh.triangles.size()), centres_(mesh.triangles.size()) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const VertexIndex v : mesh.triangles[t]) boxes_[t].include(mesh.points[v]);
+      for (const Vec3& corner : corners_in_cell(mesh, mesh.triangles[t])) boxes_[t].include(corner);
       centres_[t] = 0.5 * (boxes_[t].low + boxes_[t].high);
     }
     tree_.triangles.resize(mesh.triangles.size());

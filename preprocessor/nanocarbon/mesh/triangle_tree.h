@@ -27,7 +27,8 @@ struct TriangleTree {
   std::vector<std::uint32_t> triangles;
 };
 
-//! O(n log n) in triangles. Points must be finite.
+//! O(n log n) in triangles. Points must be finite. In a cell each triangle is in one of its places, that of
+//! corners_in_cell(): searches visit the tree from the images of where they look (Space::for_images()).
 TriangleTree triangle_tree(const TriangleMesh& mesh);
 
 //! \brief Visits every triangle in a leaf whose path is acceptable.

@@ -4,22 +4,27 @@
 #include <algorithm>
 
 #include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/core/space.h"
 
 namespace nanocarbon::minimisation {
 
 namespace {
 
+const Cell* cell_of(const Molecule& molecule) { return molecule.cell ? &*molecule.cell : nullptr; }
+
 // Whether a potential sees exactly the molecule's bonds between its carbons.
 bool bonds_are_those_seen(const Molecule& molecule, const BondCutoff& carbon) {
-  const NeighbourList near = neighbours_within(molecule.positions, nullptr, carbon.end);
+  const NeighbourList near = neighbours_within(molecule.positions, cell_of(molecule), carbon.end);
   const auto is_carbon = [&](AtomIndex a) { return molecule.elements[a] == Element::carbon; };
+  const Space space = molecule.cell ? Space(*molecule.cell) : Space();
   std::size_t seen = 0, listed = 0;
   for (AtomIndex a = 0; a < molecule.size(); ++a)
     for (const Neighbour& n : near.of(a)) seen += a < n.atom && is_carbon(a) && is_carbon(n.atom);
   for (const Bond& bond : molecule.bonds) {
     if (!is_carbon(bond.first) || !is_carbon(bond.second)) continue;
     ++listed;
-    if ((molecule.positions[bond.first] - molecule.positions[bond.second]).norm() > carbon.begin)
+    if (space.displacement(molecule.positions[bond.second], molecule.positions[bond.first]).norm() >
+        carbon.begin)
       return false;
   }
   return seen == listed;
@@ -29,7 +34,8 @@ bool bonds_are_those_seen(const Molecule& molecule, const BondCutoff& carbon) {
 
 EnergyFunction energy_of(const Molecule& molecule, potential::Potential& potential) {
   return [&](std::span<const Vec3> positions, std::span<Vec3> gradient) {
-    const potential::Evaluation& result = potential.evaluate(positions, molecule.elements, nullptr, {});
+    const potential::Evaluation& result =
+        potential.evaluate(positions, molecule.elements, cell_of(molecule), {});
     for (std::size_t a = 0; a < gradient.size(); ++a) gradient[a] -= result.forces[a];
     return result.energy;
   };

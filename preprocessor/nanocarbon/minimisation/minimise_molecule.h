@@ -21,13 +21,13 @@ struct MinimisationResult {
   bool intact = false;  //!< the potential sees the molecule's bonds whole, and no others between its carbons
 };
 
-//! \brief Minimises the energy of a potential over all positions of a molecule in free space.
+//! \brief Minimises the energy of a potential over all positions of a molecule, in a cell that stays as it is.
 //! \details L-BFGS; cut-offs are part of the energy, so bonds could break or form: `intact` tells. Hydrogens
 //! are moved too.
 MinimisationResult minimise_molecule(Molecule& molecule, potential::Potential& potential,
                                      const MinimisationOptions& options = {});
 
-//! The energy of a molecule in free space as a function of its positions. Both arguments outlive the result.
+//! The energy of a molecule as a function of its positions. Both arguments outlive the result.
 EnergyFunction energy_of(const Molecule& molecule, potential::Potential& potential);
 
 }  // namespace nanocarbon::minimisation

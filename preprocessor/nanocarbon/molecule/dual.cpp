@@ -124,16 +124,21 @@ Molecule dual(const TriangleMesh& triangulation) {
   const std::size_t atoms = triangulation.triangles.size();
   molecule.elements.assign(atoms, Element::carbon);
   molecule.positions.reserve(atoms);
-  for (const auto& [a, b, c] : triangulation.triangles)
-    molecule.positions.emplace_back(
-        (triangulation.points[a] + triangulation.points[b] + triangulation.points[c]) / 3.0);
+  const Space& space = triangulation.space;
+  if (space.periodic()) molecule.cell = *space.cell();
+  for (const Triangle& triangle : triangulation.triangles) {
+    const auto [a, b, c] = corners_of(triangulation, triangle);
+    molecule.positions.emplace_back((a + b + c) / 3.0);
+  }
 
   molecule.bonds.reserve(3 * atoms / 2);
   for (AtomIndex t = 0; t < atoms; ++t) {
     std::array<std::uint32_t, 3> others = {across[3 * t], across[3 * t + 1], across[3 * t + 2]};
     std::sort(others.begin(), others.end());
     for (std::size_t k = 0; k < 3; ++k)
-      if (others[k] != none && others[k] > t) molecule.bonds.push_back({t, others[k], {0, 0, 0}});
+      if (others[k] != none && others[k] > t)
+        molecule.bonds.push_back(
+            {t, others[k], space.image(molecule.positions[t], molecule.positions[others[k]])});
   }
   if (std::adjacent_find(molecule.bonds.begin(), molecule.bonds.end()) != molecule.bonds.end()) {
     const Bond twice = *std::adjacent_find(molecule.bonds.begin(), molecule.bonds.end());

@@ -10,7 +10,8 @@ namespace nanocarbon::molecule {
 //! \details Carbon atom i is the centroid of triangle i; every edge between two triangles is a bond, every
 //! inner vertex a ring. Rings come in the order of their vertices and run counter-clockwise seen from
 //! outside, starting at their lowest atom. Vertices on a boundary have no ring, their atoms have fewer than
-//! three bonds. On a surface that cannot be oriented a ring runs as its lowest triangle is wound.
+//! three bonds. In a cell bonds lead to the nearest images. On a surface that cannot be oriented a ring runs
+//! as its lowest triangle is wound.
 //! \param triangulation a 2-manifold, with or without boundary; Angstrom
 //! \throw UserError (unsuitable) naming the edge or vertex where the triangulation is no 2-manifold, or a
 //! triangle whose vertices are not three different points of the mesh

@@ -109,9 +109,14 @@ std::optional<Tiling> freeze_coarse_to_fine(SurfaceGuide& guide, double spacing,
   return tiling;
 }
 
-int deepest_levels(std::size_t faces) {
+// In a cell narrower than this, in spacings, vertices meet through two images.
+constexpr double least_width = 3.7;
+
+int deepest_levels(const SurfaceGuide& guide, double spacing, std::size_t faces) {
   int levels = 0;
-  while ((faces >> (2 * (levels + 1))) >= least_coarse_faces) ++levels;
+  while ((faces >> (2 * (levels + 1))) >= least_coarse_faces &&
+         guide.space().least_width() > least_width * std::ldexp(spacing, levels + 1))
+    ++levels;
   return levels;
 }
 
@@ -150,7 +155,7 @@ void mend(Tiling& tiling) {
       if (!trial.table.vertex_alive(v)) continue;
       std::vector<std::pair<double, HalfEdgeIndex>> edges;
       trial.table.for_outgoing(v, [&](HalfEdgeIndex h) {
-        edges.emplace_back((trial.points[trial.table.target(h)] - trial.points[v]).squaredNorm(), h);
+        edges.emplace_back(trial.between(v, trial.table.target(h)).squaredNorm(), h);
       });
       std::sort(edges.begin(), edges.end());
       // The shortest first; where that did not help, another one in the next round.
@@ -179,7 +184,7 @@ Tiling crystallise_once(SurfaceGuide& guide, double spacing, const CrystalOption
   const Effort effort = effort_for(options.quality);
   std::optional<Tiling> tiling;
   levels = 0;
-  for (int deep = deepest_levels(options.faces); deep > 0 && !tiling; --deep) {
+  for (int deep = deepest_levels(guide, spacing, options.faces); deep > 0 && !tiling; --deep) {
     report("crystallising coarse to fine", 0.05);
     tiling = freeze_coarse_to_fine(guide, spacing, deep, effort, options);
     if (tiling) levels = deep;

@@ -48,8 +48,11 @@ std::size_t flip_to_delaunay(Tiling& tiling, int passes) {
     std::size_t made = 0;
     for (HalfEdgeIndex h = 0; h < table.half_edges(); ++h) {
       if (!table.is_edge(h) || table.twin(h) == no_half_edge) continue;
-      const Vec3 &a = p[table.origin(h)], &b = p[table.target(h)];
-      const double sum = cotangent(a, b, p[table.apex(h)]) + cotangent(a, b, p[table.apex(table.twin(h))]);
+      const Vec3& a = p[table.origin(h)];
+      const auto beside = [&](VertexIndex v) { return tiling.space().beside(p[v], a); };
+      const Vec3 b = beside(table.target(h));
+      const double sum =
+          cotangent(a, b, beside(table.apex(h))) + cotangent(a, b, beside(table.apex(table.twin(h))));
       if (sum >= -1e-6 || !flip_is_sound(tiling, h)) continue;
       table.flip(h);
       ++made;
@@ -70,7 +73,9 @@ std::size_t flip_to_valences(Tiling& tiling, int passes, double shape_limit) {
       if (!table.is_edge(h) || table.twin(h) == no_half_edge || valence_gain(table, h) >= 0) continue;
       const VertexIndex a = table.origin(h), b = table.target(h), c = table.apex(h),
                         d = table.apex(table.twin(h));
-      if (largest_cosine(p[a], p[d], p[c]) > shape_limit || largest_cosine(p[b], p[c], p[d]) > shape_limit)
+      const auto at = [&](VertexIndex v) { return tiling.space().beside(p[v], p[a]); };
+      if (largest_cosine(at(a), at(d), at(c)) > shape_limit ||
+          largest_cosine(at(b), at(c), at(d)) > shape_limit)
         continue;
       if (!flip_is_sound(tiling, h)) continue;
       table.flip(h);

@@ -12,7 +12,7 @@ namespace nanocarbon::crystal {
 namespace {
 
 double squared_length(const Tiling& tiling, HalfEdgeIndex h) {
-  return (tiling.points[tiling.table.target(h)] - tiling.points[tiling.table.origin(h)]).squaredNorm();
+  return tiling.between(tiling.table.origin(h), tiling.table.target(h)).squaredNorm();
 }
 
 std::size_t split_long_edges(Tiling& tiling, double limit) {
@@ -56,11 +56,11 @@ bool try_collapse(Tiling& tiling, HalfEdgeIndex h, double longest) {
   const Vec3 old_point = tiling.points[b], old_normal = tiling.normals[b];
   const std::uint32_t old_place = tiling.places[b];
   if (table.on_boundary(a) == table.on_boundary(b))
-    place_vertex(tiling, b, 0.5 * (tiling.points[a] + old_point));
+    place_vertex(tiling, b, 0.5 * (tiling.space().beside(tiling.points[a], old_point) + old_point));
   bool short_enough = true;
   for (const VertexIndex v : {a, b})
     table.for_neighbours(v, [&](VertexIndex u) {
-      short_enough = short_enough && (tiling.points[b] - tiling.points[u]).squaredNorm() < longest * longest;
+      short_enough = short_enough && tiling.between(u, b).squaredNorm() < longest * longest;
     });
   if (!short_enough || !collapse_is_sound(tiling, h, before)) {
     tiling.points[b] = old_point;

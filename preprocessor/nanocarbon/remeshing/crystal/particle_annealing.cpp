@@ -33,12 +33,12 @@ void list_edges(const CornerTable& table, std::vector<Ends>& edges) {
 }
 
 //! Forces of the pair energy 2 (a/r)^12 - 4 (a/r)^6, in units of energy over spacing.
-void pair_forces(const std::vector<Ends>& edges, const std::vector<Vec3>& points, double spacing,
-                 std::vector<Vec3>& forces) {
+void pair_forces(const std::vector<Ends>& edges, const Space& space, const std::vector<Vec3>& points,
+                 double spacing, std::vector<Vec3>& forces) {
   std::fill(forces.begin(), forces.end(), Vec3::Zero());
   const double a2 = spacing * spacing;
   for (const Ends& e : edges) {
-    const Vec3 d = points[e.b] - points[e.a];
+    const Vec3 d = space.displacement(points[e.a], points[e.b]);
     const double s = std::min(a2 / std::max(d.squaredNorm(), 1e-300), 2.5);
     const double s3 = s * s * s;
     const Vec3 f = (24 * (s3 * s3 - s3) * s / spacing) * d;
@@ -48,11 +48,11 @@ void pair_forces(const std::vector<Ends>& edges, const std::vector<Vec3>& points
 }
 
 //! Forces of springs with energy 1/2 (length / spacing - 1)^2.
-void springs(const std::vector<Ends>& edges, const std::vector<Vec3>& points, double spacing,
-             std::vector<Vec3>& forces) {
+void springs(const std::vector<Ends>& edges, const Space& space, const std::vector<Vec3>& points,
+             double spacing, std::vector<Vec3>& forces) {
   std::fill(forces.begin(), forces.end(), Vec3::Zero());
   for (const Ends& e : edges) {
-    const Vec3 d = points[e.b] - points[e.a];
+    const Vec3 d = space.displacement(points[e.a], points[e.b]);
     const double length = std::max(d.norm(), 1e-300);
     const Vec3 f = (1 / spacing - 1 / length) * d;
     forces[e.a] += f;
@@ -101,7 +101,8 @@ std::size_t settle_or_restore(Tiling& tiling, Saved& before, std::vector<Vec3>& 
     return true;
   };
   const auto normal = [&](const std::vector<Vec3>& points, HalfEdgeIndex h) {
-    return unit_normal(points[table.origin(h)], points[table.target(h)], points[table.apex(h)]);
+    return unit_normal(tiling.space(), points[table.origin(h)], points[table.target(h)],
+                       points[table.apex(h)]);
   };
   const auto creased = [&](HalfEdgeIndex h) {
     const HalfEdgeIndex o = table.twin(h);
@@ -154,7 +155,7 @@ AnnealingResult anneal_particles(Tiling& tiling, double spacing, const Annealing
   remember(tiling, before);
   const double keep = std::exp(-friction * time_step * steps_between_settling);
   for (std::size_t step = 0; step < schedule.steps; ++step) {
-    pair_forces(edges, tiling.points, spacing, forces);
+    pair_forces(edges, tiling.space(), tiling.points, spacing, forces);
     for (std::size_t i = 0; i < n; ++i) {
       Vec3& v = velocities[i];
       v += time_step * forces[i];
@@ -189,7 +190,7 @@ double even_edges(Tiling& tiling, double spacing, std::size_t steps) {
   double largest = 0;
   double dt = 0.2;
   for (std::size_t step = 0; step < steps; ++step) {
-    springs(edges, tiling.points, spacing, forces);
+    springs(edges, tiling.space(), tiling.points, spacing, forces);
     // FIRE (Bitzek et al. 2006) on the tangential forces.
     double power = 0, vv = 0, ff = 0;
     largest = 0;

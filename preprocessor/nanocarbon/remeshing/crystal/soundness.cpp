@@ -16,7 +16,7 @@ bool makes_crease(const Tiling& tiling, HalfEdgeIndex h) {
   const CornerTable& table = tiling.table;
   const auto& p = tiling.points;
   const auto normal = [&](VertexIndex x, VertexIndex y, VertexIndex z) {
-    return unit_normal(p[x], p[y], p[z]);
+    return unit_normal(tiling.space(), p[x], p[y], p[z]);
   };
   const HalfEdgeIndex o = table.twin(h);
   const VertexIndex a = table.origin(h), b = table.target(h), c = table.apex(h), d = table.apex(o);
@@ -44,8 +44,9 @@ double soundness_of(const Tiling& tiling, HalfEdgeIndex k, VertexIndex as) {
   const HalfEdgeIndex rim = table.twin(CornerTable::next(k));
   if (rim == no_half_edge) return least;
   const auto& p = tiling.points;
-  const Vec3 outside = unit_normal(p[table.origin(rim)], p[table.target(rim)], p[table.apex(rim)]);
-  return std::min(least, unit_normal(p[as], p[x], p[y]).dot(outside) - creased_below);
+  const Space& space = tiling.space();
+  const Vec3 outside = unit_normal(space, p[table.origin(rim)], p[table.target(rim)], p[table.apex(rim)]);
+  return std::min(least, unit_normal(space, p[as], p[x], p[y]).dot(outside) - creased_below);
 }
 
 }  // namespace
@@ -56,13 +57,14 @@ Corner corner(const Tiling& tiling, VertexIndex v) {
 }
 
 double facing(const SurfaceGuide& guide, const Corner& a, const Corner& b, const Corner& c) {
-  const Vec3 cross = (b.point - a.point).cross(c.point - a.point);
+  const Space& space = guide.space();
+  const Vec3 cross = space.displacement(a.point, b.point).cross(space.displacement(a.point, c.point));
   const double area = cross.norm();
   if (area <= 0) return -1;
   const Vec3 n = a.normal + b.normal + c.normal;
   const double size = n.norm();
   if (size > 1.8) return cross.dot(n) / (area * size);
-  const Vec3 middle = (a.point + b.point + c.point) / 3;
+  const Vec3 middle = (a.point + space.beside(b.point, a.point) + space.beside(c.point, a.point)) / 3;
   return std::min(1.0, cross.dot(guide.normal(guide.follow(middle, a.triangle))) / area + 0.5);
 }
 
@@ -70,8 +72,8 @@ double facing(const Tiling& tiling, VertexIndex a, VertexIndex b, VertexIndex c)
   return facing(*tiling.guide, corner(tiling, a), corner(tiling, b), corner(tiling, c));
 }
 
-Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 cross = (b - a).cross(c - a);
+Vec3 unit_normal(const Space& space, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 cross = space.displacement(a, b).cross(space.displacement(a, c));
   const double size = cross.norm();
   return size > 0 ? Vec3(cross / size) : Vec3(Vec3::Zero());
 }
@@ -84,8 +86,8 @@ double soundness_around(const Tiling& tiling, VertexIndex v) {
     least = std::min(least, soundness_of(tiling, k, v));
     const HalfEdgeIndex o = table.twin(k);
     if (o == no_half_edge) return;
-    const Vec3 left = unit_normal(p[v], p[table.target(k)], p[table.apex(k)]);
-    const Vec3 right = unit_normal(p[v], p[table.apex(o)], p[table.target(k)]);
+    const Vec3 left = unit_normal(tiling.space(), p[v], p[table.target(k)], p[table.apex(k)]);
+    const Vec3 right = unit_normal(tiling.space(), p[v], p[table.apex(o)], p[table.target(k)]);
     least = std::min(least, left.dot(right) - creased_below);
   });
   return least;

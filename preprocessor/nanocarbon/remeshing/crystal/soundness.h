@@ -29,7 +29,7 @@ double facing(const SurfaceGuide& guide, const Corner& a, const Corner& b, const
 double facing(const Tiling& tiling, VertexIndex a, VertexIndex b, VertexIndex c);
 
 //! Unit normal of a triangle, zero for one without area.
-Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c);
+Vec3 unit_normal(const Space& space, const Vec3& a, const Vec3& b, const Vec3& c);
 
 //! How far the triangles around a vertex are from being turned or folded; negative where one is.
 double soundness_around(const Tiling& tiling, VertexIndex v);

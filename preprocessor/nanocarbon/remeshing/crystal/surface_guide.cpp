@@ -13,7 +13,7 @@ TriangleMesh split_long_edges(const TriangleMesh& surface, double limit) {
   CornerTable table(surface);
   std::vector<Vec3> points = surface.points;
   const auto length = [&](HalfEdgeIndex h) {
-    return (points[table.target(h)] - points[table.origin(h)]).norm();
+    return surface.space.displacement(points[table.origin(h)], points[table.target(h)]).norm();
   };
   double longest = 0;
   for (HalfEdgeIndex h = 0; h < table.half_edges(); ++h) longest = std::max(longest, length(h));
@@ -22,13 +22,14 @@ TriangleMesh split_long_edges(const TriangleMesh& surface, double limit) {
     longest = 0;
     for (HalfEdgeIndex h = 0; h < table.half_edges(); ++h) {
       if (length(h) > threshold) {
-        points.push_back(0.5 * (points[table.origin(h)] + points[table.target(h)]));
+        const Vec3 from = points[table.origin(h)];
+        points.push_back(0.5 * (from + surface.space.beside(points[table.target(h)], from)));
         table.split(h);
       }
       longest = std::max(longest, length(h));
     }
   }
-  return {std::move(points), table.triangles()};
+  return {std::move(points), table.triangles(), surface.space};
 }
 
 //! Normals weighted by the angle of each triangle at the vertex (Baerentzen and Aanaes 2005).
@@ -36,8 +37,8 @@ std::vector<Vec3> angle_weighted_normals(const TriangleMesh& mesh) {
   std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
   for (const Triangle& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
-      const Vec3 u = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]];
-      const Vec3 w = mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]];
+      const Vec3 u = mesh.space.displacement(mesh.points[t[k]], mesh.points[t[(k + 1) % 3]]);
+      const Vec3 w = mesh.space.displacement(mesh.points[t[k]], mesh.points[t[(k + 2) % 3]]);
       const Vec3 cross = u.cross(w);
       const double size = cross.norm();
       if (size > 0) normals[t[k]] += std::atan2(size, u.dot(w)) / size * cross;
@@ -57,7 +58,7 @@ SurfaceGuide::SurfaceGuide(const TriangleMesh& surface, double spacing)
       tree_(std::make_unique<Tree>()) {
   double sum = 0;
   for (HalfEdgeIndex h = 0; h < table_.half_edges(); ++h) {
-    sum += (at(CornerTable::next(h)) - at(h)).norm();
+    sum += mesh_.space.displacement(at(h), at(CornerTable::next(h))).norm();
     if (table_.twin(h) == no_half_edge) boundary_in_[table_.target(h)] = h;
   }
   mean_edge_ = sum / static_cast<double>(table_.half_edges());
@@ -79,7 +80,8 @@ void SurfaceGuide::smooth_normals(double length) {
 
 Foot SurfaceGuide::closest_on(const Vec3& p, std::uint32_t triangle) const {
   const Triangle& t = mesh_.triangles[triangle];
-  const Vec3 &a = mesh_.points[t[0]], &b = mesh_.points[t[1]], &c = mesh_.points[t[2]];
+  const Vec3 a = mesh_.space.beside(mesh_.points[t[0]], p), b = mesh_.space.beside(mesh_.points[t[1]], a),
+             c = mesh_.space.beside(mesh_.points[t[2]], a);
   const auto w = mesh::nearest_weights(p, a, b, c);
   return {w[0] * a + w[1] * b + w[2] * c, w, triangle};
 }
@@ -129,7 +131,7 @@ BoundaryFoot SurfaceGuide::follow_boundary(const Vec3& p, HalfEdgeIndex edge) co
   BoundaryFoot best;
   double distance = std::numeric_limits<double>::infinity();
   const auto improve = [&](HalfEdgeIndex h) {
-    const Vec3 &a = at(h), b = at(CornerTable::next(h));
+    const Vec3 a = mesh_.space.beside(at(h), p), b = mesh_.space.beside(at(CornerTable::next(h)), a);
     const double t = std::clamp((p - a).dot(b - a) / std::max((b - a).squaredNorm(), 1e-300), 0.0, 1.0);
     const Vec3 q = a + t * (b - a);
     const double d = (p - q).squaredNorm();
@@ -154,7 +156,7 @@ Vec3 SurfaceGuide::normal(const Foot& foot) const {
 }
 
 Vec3 SurfaceGuide::boundary_direction(const BoundaryFoot& foot) const {
-  return (at(CornerTable::next(foot.edge)) - at(foot.edge)).normalized();
+  return mesh_.space.displacement(at(foot.edge), at(CornerTable::next(foot.edge))).normalized();
 }
 
 Vec3 SurfaceGuide::boundary_normal(const BoundaryFoot& foot) const {

@@ -14,7 +14,8 @@
 
 namespace nanocarbon::crystal {
 
-//! A place on the surface: a triangle of the guide and barycentric weights of its corners.
+//! A place on the surface: a triangle of the guide and barycentric weights of its corners. The point is beside
+//! the one that it was sought for.
 struct Foot {
   Vec3 point = Vec3::Zero();
   std::array<double, 3> weights = {1, 0, 0};
@@ -51,6 +52,7 @@ class SurfaceGuide {
   Vec3 boundary_direction(const BoundaryFoot& foot) const;
 
   const TriangleMesh& mesh() const { return mesh_; }
+  const Space& space() const { return mesh_.space; }
   const CornerTable& table() const { return table_; }
 
  private:

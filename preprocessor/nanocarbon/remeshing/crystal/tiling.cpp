@@ -68,7 +68,7 @@ void compact(Tiling& tiling) {
 TriangleMesh to_mesh(const Tiling& tiling) {
   Tiling dense = tiling;
   compact(dense);
-  return {std::move(dense.points), dense.table.triangles()};
+  return {std::move(dense.points), dense.table.triangles(), tiling.space()};
 }
 
 double mean_edge_length(const Tiling& tiling) {
@@ -76,7 +76,7 @@ double mean_edge_length(const Tiling& tiling) {
   std::size_t edges = 0;
   for (HalfEdgeIndex h = 0; h < tiling.table.half_edges(); ++h) {
     if (!tiling.table.is_edge(h)) continue;
-    sum += (tiling.points[tiling.table.target(h)] - tiling.points[tiling.table.origin(h)]).norm();
+    sum += tiling.between(tiling.table.origin(h), tiling.table.target(h)).norm();
     ++edges;
   }
   return edges ? sum / static_cast<double>(edges) : 0;

@@ -18,6 +18,12 @@ struct Tiling {
   //! Where on the guide a point is: a triangle for inner vertices, a boundary half-edge for boundary
   //! vertices.
   std::vector<std::uint32_t> places;
+
+  const Space& space() const { return guide->space(); }
+  //! What leads from one vertex to another.
+  Vec3 between(VertexIndex from, VertexIndex to) const {
+    return space().displacement(points[from], points[to]);
+  }
 };
 
 //! The guide's own mesh as a tiling. The guide is referred to, not copied.

@@ -15,7 +15,7 @@ bool relax_vertex(Tiling& tiling, VertexIndex v, double share) {
   const bool boundary = table.on_boundary(v);
   table.for_neighbours(v, [&](VertexIndex u) {
     if (boundary && !table.on_boundary(u)) return;
-    mean += tiling.points[u];
+    mean += tiling.space().beside(tiling.points[u], tiling.points[v]);
     ++count;
   });
   if (boundary && count != 2) return false;
@@ -45,7 +45,7 @@ struct PlacedVertex {
 //! boundary.
 PlacedVertex between(const Tiling& tiling, VertexIndex a, VertexIndex b, bool boundary) {
   const SurfaceGuide& guide = *tiling.guide;
-  const Vec3 middle = 0.5 * (tiling.points[a] + tiling.points[b]);
+  const Vec3 middle = 0.5 * (tiling.points[a] + tiling.space().beside(tiling.points[b], tiling.points[a]));
   if (boundary) {
     const BoundaryFoot one = guide.follow_boundary(middle, tiling.places[a]);
     const BoundaryFoot two = guide.follow_boundary(middle, tiling.places[b]);

@@ -12,13 +12,13 @@ namespace nanocarbon::crystal {
 namespace {
 
 Vec3 centroid(const TriangleMesh& mesh, std::size_t t) {
-  const Triangle& f = mesh.triangles[t];
-  return (mesh.points[f[0]] + mesh.points[f[1]] + mesh.points[f[2]]) / 3;
+  const auto [a, b, c] = corners_of(mesh, mesh.triangles[t]);
+  return (a + b + c) / 3;
 }
 
 Vec3 area_vector(const TriangleMesh& mesh, std::size_t t) {
-  const Triangle& f = mesh.triangles[t];
-  return (mesh.points[f[1]] - mesh.points[f[0]]).cross(mesh.points[f[2]] - mesh.points[f[0]]);
+  const auto [a, b, c] = corners_of(mesh, mesh.triangles[t]);
+  return (b - a).cross(c - a);
 }
 
 struct Spread {
@@ -55,9 +55,13 @@ TriangulationQuality measure_triangulation(const TriangleMesh& triangulation, co
   Spread edges, bonds, distances;
   for (HalfEdgeIndex h = 0; h < table.half_edges(); ++h) {
     if (!table.is_edge(h)) continue;
-    edges.add((triangulation.points[table.target(h)] - triangulation.points[table.origin(h)]).norm());
+    edges.add(triangulation.space
+                  .displacement(triangulation.points[table.origin(h)], triangulation.points[table.target(h)])
+                  .norm());
     if (table.twin(h) != no_half_edge)
-      bonds.add((centroid(triangulation, h / 3) - centroid(triangulation, table.twin(h) / 3)).norm());
+      bonds.add(triangulation.space
+                    .displacement(centroid(triangulation, table.twin(h) / 3), centroid(triangulation, h / 3))
+                    .norm());
   }
   quality.edge_mean = edges.mean();
   quality.edge_cv = edges.cv();

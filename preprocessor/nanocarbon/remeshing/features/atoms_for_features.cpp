@@ -36,7 +36,7 @@ std::optional<std::size_t> atoms_for_features(const TriangleMesh& surface, doubl
   std::size_t facets = 0;
   const auto check = [&](double number) {
     TriangleMesh scaled = surface;
-    for (Vec3& p : scaled.points) p *= std::sqrt(number / atoms);
+    rescale(scaled, std::sqrt(number / atoms));
     FeatureReport checked = check_features(scaled, limits, threads);
     facets += checked.facets;
     return checked;

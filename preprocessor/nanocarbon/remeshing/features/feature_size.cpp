@@ -29,16 +29,19 @@ bool goes_round(const Facets& facets, const Vec3& centre, double width) {
   Mat3 spread = Mat3::Zero();
   std::vector<std::uint32_t> near;
   double total = 0;
-  mesh::visit_triangles(
-      facets.tree,
-      [&](const mesh::BoundingBox& box) { return squared_distance(box, centre) < reach * reach; },
-      [&](std::uint32_t t) {
-        if ((facets.centres[t] - centre).squaredNorm() > reach * reach) return;
-        if (facets.normals[t].dot(facets.centres[t] - centre) < 0) return;  // the far side of another part
-        near.push_back(t);
-        total += facets.areas[t];
-        spread += facets.areas[t] * facets.normals[t] * facets.normals[t].transpose();
-      });
+  facets.mesh.space.for_images([&](const Vec3& shift) {
+    const Vec3 from = centre + shift;
+    mesh::visit_triangles(
+        facets.tree,
+        [&](const mesh::BoundingBox& box) { return squared_distance(box, from) < reach * reach; },
+        [&](std::uint32_t t) {
+          if ((facets.centres[t] - from).squaredNorm() > reach * reach) return;
+          if (facets.normals[t].dot(facets.centres[t] - from) < 0) return;  // the far side of another part
+          near.push_back(t);
+          total += facets.areas[t];
+          spread += facets.areas[t] * facets.normals[t] * facets.normals[t].transpose();
+        });
+  });
   if (total <= 0) return false;
   const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread / total);
   if (axes.eigenvalues()[1] < 0.2) return false;

@@ -34,7 +34,7 @@ std::vector<double> spread_out(const TriangleMesh& mesh, const std::vector<doubl
     for (int k = 0; k < 3; ++k) {
       const VertexIndex v = mesh.triangles[t][k];
       own[v] = std::max(own[v], of_facet[t]);
-      edges += (mesh.points[mesh.triangles[t][(k + 1) % 3]] - mesh.points[v]).norm();
+      edges += mesh.space.displacement(mesh.points[v], mesh.points[mesh.triangles[t][(k + 1) % 3]]).norm();
     }
   const double edge = edges / static_cast<double>(3 * mesh.triangles.size());
   const int rounds = static_cast<int>(std::clamp(std::pow(surroundings / edge, 2), 3.0, 40.0));

@@ -34,8 +34,7 @@ Facets::Facets(const crystal::SurfaceGuide& guide) : mesh(guide.mesh()), tree(me
   areas.reserve(n);
   components.reserve(n);
   for (std::uint32_t t = 0; t < n; ++t) {
-    const Triangle& f = mesh.triangles[t];
-    const Vec3 &a = mesh.points[f[0]], &b = mesh.points[f[1]], &c = mesh.points[f[2]];
+    const auto [a, b, c] = corners_in_cell(mesh, mesh.triangles[t]);
     centres.push_back((a + b + c) / 3);
     areas.push_back(0.5 * (b - a).cross(c - a).norm());
     components.push_back(pieces.find(t));
@@ -44,7 +43,7 @@ Facets::Facets(const crystal::SurfaceGuide& guide) : mesh(guide.mesh()), tree(me
 }
 
 std::optional<Opposite> opposite(const Facets& facets, std::uint32_t from, double side, double reach) {
-  const Vec3& p = facets.centres[from];
+  Vec3 p = facets.centres[from];
   const Vec3 n = side * facets.normals[from];
   double best = reach * reach;
   Opposite found;
@@ -60,33 +59,35 @@ std::optional<Opposite> opposite(const Facets& facets, std::uint32_t from, doubl
   const auto look_at = [&](std::uint32_t t) {
     const double cosine = side * facets.normals[t].dot(n);
     if (cosine > -along && (cosine < along || facets.components[t] == facets.components[from])) return;
-    const Triangle& f = facets.mesh.triangles[t];
-    const Vec3 q = mesh::nearest_on_triangle(p, facets.mesh.points[f[0]], facets.mesh.points[f[1]],
-                                             facets.mesh.points[f[2]]);
+    const auto [a, b, c] = corners_in_cell(facets.mesh, facets.mesh.triangles[t]);
+    const Vec3 q = mesh::nearest_on_triangle(p, a, b, c);
     const double d2 = (q - p).squaredNorm();
     if (d2 >= best || (q - p).dot(n) <= within_cone * std::sqrt(d2)) return;
     best = d2;
-    found = {q, 0, cosine > 0};
+    found = {q - (p - facets.centres[from]), 0, cosine > 0};
   };
   // The nearer of two boxes first.
   const auto& nodes = facets.tree.nodes;
   std::array<std::pair<double, std::uint32_t>, mesh::TriangleTree::deepest + 1> waiting;
-  std::size_t height = 0;
-  if (!nodes.empty()) waiting[height++] = {distance_to(nodes[0].box), 0};
-  while (height > 0) {
-    const auto [distance, at] = waiting[--height];
-    if (!(distance < best)) continue;
-    const auto& node = nodes[at];
-    if (node.leaf()) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) look_at(facets.tree.triangles[i]);
-      continue;
+  facets.mesh.space.for_images([&](const Vec3& shift) {
+    p = facets.centres[from] + shift;
+    std::size_t height = 0;
+    if (!nodes.empty()) waiting[height++] = {distance_to(nodes[0].box), 0};
+    while (height > 0) {
+      const auto [distance, at] = waiting[--height];
+      if (!(distance < best)) continue;
+      const auto& node = nodes[at];
+      if (node.leaf()) {
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) look_at(facets.tree.triangles[i]);
+        continue;
+      }
+      std::pair<double, std::uint32_t> near{distance_to(nodes[node.first].box), node.first},
+          far{distance_to(nodes[node.first + 1].box), node.first + 1};
+      if (far.first < near.first) std::swap(near, far);
+      if (far.first < best) waiting[height++] = far;
+      if (near.first < best) waiting[height++] = near;
     }
-    std::pair<double, std::uint32_t> near{distance_to(nodes[node.first].box), node.first},
-        far{distance_to(nodes[node.first + 1].box), node.first + 1};
-    if (far.first < near.first) std::swap(near, far);
-    if (far.first < best) waiting[height++] = far;
-    if (near.first < best) waiting[height++] = near;
-  }
+  });
   if (best >= reach * reach) return std::nullopt;
   found.distance = std::sqrt(best);
   return found;
