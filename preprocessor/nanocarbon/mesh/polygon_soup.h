@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "nanocarbon/core/cell.h"
 #include "nanocarbon/core/vec3.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
@@ -25,6 +27,7 @@ struct PolygonSoup {
   bool has_vertex_numbers =
       true;  //!< false for STL: which corners are one vertex is known from coordinates only
   std::vector<std::string> notes;  //!< what the reader passed over or joined, for the user
+  std::optional<Cell> cell = {};   //!< that the file says the mesh repeats itself in
 
   std::size_t faces() const { return offsets.size() - 1; }
   std::span<const VertexIndex> face(std::size_t i) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nanocarbon/mesh/diagnosis.h"
+#include "nanocarbon/mesh/formats/cell_request.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
 namespace nanocarbon::mesh {
@@ -17,7 +18,7 @@ struct LoadedSurface {
   TriangleMesh mesh;
   std::vector<std::string> repairs;   //!< what was done to the file's contents to get there
   std::vector<std::string> warnings;  //!< what is doubtful and stays
-  MeshDiagnosis diagnosis;            //!< of the mesh as it is here
+  MeshDiagnosis diagnosis;            //!< of the mesh before it was sewn in its cell, if it has one
   std::size_t vertices_read = 0;      //!< of the file as it is
   std::size_t faces_read = 0;
 };
@@ -25,12 +26,13 @@ struct LoadedSurface {
 struct LoadOptions {
   bool repair = true;        //!< false: a mesh that needs repairs is refused, with what they are
   double close_holes = 0.0;  //!< radius below which boundary loops are closed, mesh units
+  CellRequest cell = {};     //!< the periodic cell that the surface is in
 };
 
 //! \brief Reads a mesh file and repairs what can be mended; what cannot is in the diagnosis, and the mesh is
-//! then not fit for use.
-//! \throw UserError (unreadable, malformed) as read_mesh()
-LoadedSurface examine_surface(const std::filesystem::path& path);
+//! then not fit for use. A mesh without such faults is sewn in its cell, if it has one.
+//! \throw UserError (unreadable, malformed) as read_mesh(), (usage, unsuitable) as requested_cell() and in_cell()
+LoadedSurface examine_surface(const std::filesystem::path& path, const CellRequest& cell = {});
 
 //! \brief The same, for use.
 //! \throw UserError also (unsuitable) with every reason against it

@@ -25,7 +25,7 @@ MeshColours colours_by_quality(const TriangleMesh& mesh, double shortest, double
   std::vector<bool> on_boundary(mesh.points.size(), false);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const VertexIndex a = edges.low[e], b = edges.high[e];
-    const double length = (mesh.points[a] - mesh.points[b]).norm();
+    const double length = mesh.space.displacement(mesh.points[b], mesh.points[a]).norm();
     colours.edges.push_back({a, b, three_way(length, shortest, longest)});
     for (const VertexIndex v : {a, b}) {
       ++valence[v];

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/formats/cell_comment.h"
 #include "nanocarbon/mesh/formats/input_file.h"
 #include "nanocarbon/mesh/formats/mesh_format.h"
 #include "nanocarbon/mesh/formats/read_obj.h"
@@ -63,13 +64,7 @@ MeshFormat format_of(std::string_view contents, const std::string& file) {
   return *hint;
 }
 
-}  // namespace
-
-PolygonSoup parse_mesh(std::string_view contents, const std::string& file) {
-  if (contents.starts_with("\xEF\xBB\xBF")) contents.remove_prefix(3);
-  if (is_utf16(contents) && !has_binary_stl_size(contents))
-    throw UserError(Failure::malformed,
-                    fmt::format("{}: the file is text in UTF-16; save it as UTF-8 or ASCII", file));
+PolygonSoup parse_faces(std::string_view contents, const std::string& file) {
   switch (format_of(contents, file)) {
     case MeshFormat::off:
       return read_off(contents, file);
@@ -81,6 +76,18 @@ PolygonSoup parse_mesh(std::string_view contents, const std::string& file) {
       break;
   }
   return read_stl(contents, file);
+}
+
+}  // namespace
+
+PolygonSoup parse_mesh(std::string_view contents, const std::string& file) {
+  if (contents.starts_with("\xEF\xBB\xBF")) contents.remove_prefix(3);
+  if (is_utf16(contents) && !has_binary_stl_size(contents))
+    throw UserError(Failure::malformed,
+                    fmt::format("{}: the file is text in UTF-16; save it as UTF-8 or ASCII", file));
+  PolygonSoup soup = parse_faces(contents, file);
+  soup.cell = cell_in_comment(contents, file);
+  return soup;
 }
 
 PolygonSoup read_mesh(const std::filesystem::path& path) {

@@ -3,15 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <map>
 #include <ostream>
 #include <utility>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/output_file.h"
+#include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/formats/byte_order.h"
+#include "nanocarbon/mesh/formats/cell_comment.h"
 #include "nanocarbon/mesh/formats/mesh_format.h"
 #include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
 
 namespace nanocarbon::mesh {
 namespace {
@@ -49,7 +54,7 @@ bool has_vertex_colours(const MeshColours* colours, const TriangleMesh& mesh) {
   return colours && !mesh.points.empty() && colours->vertices.size() == mesh.points.size();
 }
 
-void put_off(Text& text, const TriangleMesh& mesh, const MeshColours* colours) {
+void put_off(Text& text, const TriangleMesh& mesh, const MeshColours* colours, const std::string& cell) {
   const bool coloured = has_vertex_colours(colours, mesh);
   text.put("{}OFF\n{} {} 0\n", coloured ? "C" : "", mesh.points.size(), mesh.triangles.size());
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -60,17 +65,21 @@ void put_off(Text& text, const TriangleMesh& mesh, const MeshColours* colours) {
     text.put("\n");
   }
   for (const auto& [a, b, c] : mesh.triangles) text.put("3 {} {} {}\n", a, b, c);
+  if (!cell.empty()) text.put("# {}\n", cell);
 }
 
-void put_obj(Text& text, const TriangleMesh& mesh) {
+void put_obj(Text& text, const TriangleMesh& mesh, const std::string& cell) {
+  if (!cell.empty()) text.put("# {}\n", cell);
   for (const Vec3& p : mesh.points) text.put("v {} {} {}\n", p.x(), p.y(), p.z());
   for (const auto& [a, b, c] : mesh.triangles)
     text.put("f {} {} {}\n", std::uint64_t{a} + 1, std::uint64_t{b} + 1, std::uint64_t{c} + 1);
 }
 
-void put_ply_header(Text& text, const TriangleMesh& mesh, const MeshFileOptions& options, bool coloured) {
+void put_ply_header(Text& text, const TriangleMesh& mesh, const MeshFileOptions& options, bool coloured,
+                    const std::string& cell) {
   constexpr const char* colour = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   text.put("ply\nformat {} 1.0\n", options.text ? "ascii" : "binary_little_endian");
+  if (!cell.empty()) text.put("comment {}\n", cell);
   text.put("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
            mesh.points.size());
   if (coloured) text.put("{}", colour);
@@ -81,9 +90,9 @@ void put_ply_header(Text& text, const TriangleMesh& mesh, const MeshFileOptions&
   text.put("end_header\n");
 }
 
-void put_ply(Text& text, const TriangleMesh& mesh, const MeshFileOptions& options) {
+void put_ply(Text& text, const TriangleMesh& mesh, const MeshFileOptions& options, const std::string& cell) {
   const bool coloured = has_vertex_colours(options.colours, mesh);
-  put_ply_header(text, mesh, options, coloured);
+  put_ply_header(text, mesh, options, coloured, cell);
   const auto put = [&](auto number) {
     if (options.text)
       text.put("{} ", number);
@@ -142,26 +151,61 @@ void put_stl(Text& text, const TriangleMesh& mesh, bool as_text) {
   if (as_text) text.put("endsolid nanocarbon\n");
 }
 
-}  // namespace
-
-void write_mesh(std::ostream& out, MeshFormat format, const TriangleMesh& mesh,
-                const MeshFileOptions& options) {
+void put_mesh(std::ostream& out, MeshFormat format, const TriangleMesh& mesh, const MeshFileOptions& options,
+              const std::string& cell) {
   Text text(out);
   switch (format) {
     case MeshFormat::off:
-      put_off(text, mesh, options.colours);
+      put_off(text, mesh, options.colours, cell);
       break;
     case MeshFormat::obj:
-      put_obj(text, mesh);
+      put_obj(text, mesh, cell);
       break;
     case MeshFormat::ply:
-      put_ply(text, mesh, options);
+      put_ply(text, mesh, options, cell);
       break;
     case MeshFormat::stl:
       put_stl(text, mesh, options.text);
       break;
   }
   text.flush();
+}
+
+// Colours of a mesh in a cell for what it is cut open to.
+MeshColours unfolded_colours(const MeshColours& colours, const Unfolded& open) {
+  MeshColours result;
+  if (!colours.vertices.empty())
+    for (const VertexIndex v : open.source) result.vertices.push_back(colours.vertices[v]);
+  std::map<std::pair<VertexIndex, VertexIndex>, Rgb> of_edge;
+  for (const ColouredEdge& edge : colours.edges) of_edge[std::minmax(edge.a, edge.b)] = edge.colour;
+  const EdgeTable edges = edge_table(soup_of(open.mesh));
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto colour = of_edge.find(std::minmax(open.source[edges.low[e]], open.source[edges.high[e]]));
+    if (colour != of_edge.end()) result.edges.push_back({edges.low[e], edges.high[e], colour->second});
+  }
+  return result;
+}
+
+}  // namespace
+
+void write_mesh(std::ostream& out, MeshFormat format, const TriangleMesh& mesh,
+                const MeshFileOptions& options) {
+  std::string cell;
+  if (mesh.space.periodic()) {
+    if (format == MeshFormat::stl)
+      throw UserError(Failure::usage, "STL files have no place for a periodic cell; write OFF, OBJ or PLY");
+    cell = cell_comment(*mesh.space.cell());
+    const Unfolded open = unfolded(mesh);
+    MeshFileOptions open_options = options;
+    MeshColours colours;
+    if (options.colours) {
+      colours = unfolded_colours(*options.colours, open);
+      open_options.colours = &colours;
+    }
+    put_mesh(out, format, open.mesh, open_options, cell);
+    return;
+  }
+  put_mesh(out, format, mesh, options, cell);
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const MeshFileOptions& options) {

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/repair/sew_in_cell.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "nanocarbon/core/disjoint_sets.h"
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/mesh/edge_table.h"
+#include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/winding.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+// In mean edges: vertices this near to an image are averaged with it, with a note; boundaries this near to the
+// image of another are the same line.
+constexpr double nearly_same = 0.1, same_line = 0.25;
+// In least widths.
+constexpr double longest_edge = 0.25;
+
+struct BoundaryEdge {
+  VertexIndex from, to;
+  FaceIndex face;
+  std::size_t side;  // of the face, from its corner `side`
+};
+
+std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh) {
+  const EdgeTable edges = edge_table(soup_of(mesh));
+  std::vector<BoundaryEdge> boundary;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto uses = edges.uses_of(e);
+    if (uses.size() != 1) continue;
+    const std::size_t side = uses[0].corner % 3;
+    const Triangle& t = mesh.triangles[uses[0].face];
+    boundary.push_back({t[side], t[(side + 1) % 3], uses[0].face, side});
+  }
+  return boundary;
+}
+
+class Sewing {
+ public:
+  Sewing(const TriangleMesh& mesh, const Cell& cell, double match)
+      : mesh_(mesh), space_(cell), to_fractional_(cell.vectors.inverse()) {
+    mean_edge_ = edge_lengths(mesh).mean;
+    tolerance_ = match * mean_edge_;
+  }
+
+  SewnSurface run() {
+    drop_caps();
+    split_long_edges();
+    match_vertices();
+    zip();
+    require_partners();
+    identify();
+    check();
+    return std::move(result_);
+  }
+
+ private:
+  const Cell& cell() const { return *space_.cell(); }
+  bool periodic(int d) const { return cell().periodic[static_cast<std::size_t>(d)]; }
+  Vec3 fractional(const Vec3& p) const { return to_fractional_ * (p - cell().origin); }
+  std::string place(const Vec3& p) const {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+  }
+
+  // Twice the direction, and one more for the upper face; -1 for no face of the cell.
+  int face_of(const Vec3& p, double within) const {
+    const Vec3 f = fractional(p), heights = face_distances(cell());
+    for (int d = 0; d < 3; ++d)
+      for (const int upper : {0, 1})
+        if (periodic(d) && std::abs(f[d] - upper) * heights[d] < within) return 2 * d + upper;
+    return -1;
+  }
+  bool in_face(const Vec3& p, int face, double within) const {
+    return std::abs(fractional(p)[face / 2] - face % 2) * face_distances(cell())[face / 2] < within;
+  }
+
+  void drop_caps() {
+    const double flat = 1e-4 * mean_edge_;
+    std::array<std::size_t, 6> in{};
+    std::vector<int> cap(mesh_.triangles.size(), -1);
+    for (std::size_t t = 0; t < cap.size(); ++t)
+      for (int face = 0; face < 6; ++face) {
+        if (!periodic(face / 2)) continue;
+        const auto lies = [&](VertexIndex v) { return in_face(mesh_.points[v], face, flat); };
+        const Triangle& corners = mesh_.triangles[t];
+        if (!lies(corners[0]) || !lies(corners[1]) || !lies(corners[2])) continue;
+        cap[t] = face;
+        ++in[static_cast<std::size_t>(face)];
+      }
+    std::vector<Triangle> kept;
+    for (std::size_t t = 0; t < cap.size(); ++t) {
+      const bool both = cap[t] >= 0 && in[static_cast<std::size_t>(cap[t])] > 0 &&
+                        in[static_cast<std::size_t>(cap[t] ^ 1)] > 0;
+      if (!both) kept.push_back(mesh_.triangles[t]);
+    }
+    if (kept.size() == mesh_.triangles.size()) return;
+    note(fmt::format("dropped flat faces in the faces of the cell, which closed a solid: {}",
+                     mesh_.triangles.size() - kept.size()));
+    mesh_.triangles = std::move(kept);
+    if (mesh_.triangles.empty())
+      fail("nothing but flat faces in the faces of the cell", "is this the right cell?");
+  }
+
+  void split_long_edges() {
+    const double limit = longest_edge * space_.least_width();
+    for (bool split = true; split;) {
+      split = false;
+      const EdgeTable edges = edge_table(soup_of(mesh_));
+      std::vector<bool> touched(mesh_.triangles.size(), false);
+      for (std::size_t e = 0; e < edges.size(); ++e) {
+        const Vec3 low = mesh_.points[edges.low[e]], high = mesh_.points[edges.high[e]];
+        if ((high - low).norm() <= limit) continue;
+        split = true;
+        const auto uses = edges.uses_of(e);
+        if (std::any_of(uses.begin(), uses.end(), [&](const EdgeUse& use) { return touched[use.face]; }))
+          continue;
+        const auto middle = static_cast<VertexIndex>(mesh_.points.size());
+        mesh_.points.push_back(0.5 * (low + high));
+        for (const EdgeUse& use : uses) {
+          touched[use.face] = true;
+          insert(use.face, use.corner % 3, {middle});
+          touched.push_back(true);
+        }
+      }
+    }
+  }
+
+  // Cuts a face so that vertices lie on one of its sides, in order.
+  void insert(FaceIndex face, std::size_t side, const std::vector<VertexIndex>& vertices) {
+    const Triangle t = mesh_.triangles[face];
+    VertexIndex from = t[side];
+    const VertexIndex to = t[(side + 1) % 3], apex = t[(side + 2) % 3];
+    mesh_.triangles[face] = {from, vertices.front(), apex};
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      mesh_.triangles.push_back({vertices[k], k + 1 < vertices.size() ? vertices[k + 1] : to, apex});
+  }
+
+  // What lies on an image of what: boundary vertices only, and never two of the same place.
+  void match_vertices() {
+    partner_.assign(mesh_.points.size(), {});
+    std::vector<VertexIndex> vertices;
+    for (const BoundaryEdge& edge : boundary_edges(mesh_)) vertices.push_back(edge.from);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    boundary_ = vertices;
+    std::vector<Vec3> points;
+    for (const VertexIndex v : vertices) points.push_back(mesh_.points[v]);
+    if (points.empty()) return;
+    std::size_t averaged = 0;
+    double farthest = 0.0;
+    const double reach = std::max(tolerance_, nearly_same * mean_edge_);
+    const NeighbourList near = neighbours_within(points, &cell(), reach);
+    for (std::uint32_t i = 0; i < vertices.size(); ++i)
+      for (const Neighbour& n : near.of(i)) {
+        if (n.image == std::array<std::int32_t, 3>{0, 0, 0} || n.atom == i) continue;
+        const double distance = (points[n.atom] + image_shift(cell(), n.image) - points[i]).norm();
+        if (distance > tolerance_ && !is_nearest(near.of(i), points, i, n, distance)) continue;
+        partner_[vertices[i]].push_back(vertices[n.atom]);
+        partner_[vertices[n.atom]].push_back(vertices[i]);
+        if (distance <= tolerance_) continue;
+        ++averaged;
+        farthest = std::max(farthest, distance);
+      }
+    if (averaged > 0)
+      note(fmt::format("joined boundary vertices that lie up to {:.2g} mean edges from images of others: {}",
+                       farthest / mean_edge_, averaged / 2 + averaged % 2));
+  }
+
+  // Of all near by through the same image.
+  bool is_nearest(std::span<const Neighbour> row, const std::vector<Vec3>& points, std::uint32_t i,
+                  const Neighbour& n, double distance) const {
+    return std::none_of(row.begin(), row.end(), [&](const Neighbour& other) {
+      return other.image == n.image &&
+             (points[other.atom] + image_shift(cell(), other.image) - points[i]).norm() < distance;
+    });
+  }
+
+  // Boundary vertices without a partner that lie on the image of a boundary edge become vertices of it.
+  void zip() {
+    std::size_t zipped = 0;
+    for (int round = 0; round < 64; ++round) {
+      const std::vector<BoundaryEdge> edges = boundary_edges(mesh_);
+      std::vector<VertexIndex> lonely;
+      for (const VertexIndex v : boundary_)
+        if (partner_[v].empty()) lonely.push_back(v);
+      if (lonely.empty() || edges.empty()) break;
+      const std::size_t done = zip_round(edges, lonely);
+      if (done == 0) break;
+      zipped += done;
+    }
+    if (zipped > 0)
+      note(fmt::format("cut the triangles along seams so that their vertices meet: {} vertices added",
+                       zipped));
+  }
+
+  std::size_t zip_round(const std::vector<BoundaryEdge>& edges, const std::vector<VertexIndex>& lonely) {
+    double longest = 0.0;
+    std::vector<Vec3> points;
+    for (const VertexIndex v : lonely) points.push_back(mesh_.points[v]);
+    for (const BoundaryEdge& edge : edges) {
+      points.push_back(0.5 * (mesh_.points[edge.from] + mesh_.points[edge.to]));
+      longest = std::max(longest, (mesh_.points[edge.from] - mesh_.points[edge.to]).norm());
+    }
+    const double reach = same_line * mean_edge_;
+    const NeighbourList near = neighbours_within(points, &cell(), 0.5 * longest + reach);
+    struct Insertion {
+      double along;
+      VertexIndex vertex;
+      Vec3 point;
+    };
+    std::map<std::size_t, std::vector<Insertion>> insertions;  // by edge
+    for (std::uint32_t i = 0; i < lonely.size(); ++i) {
+      double best = reach;
+      std::optional<std::pair<std::size_t, Insertion>> found;
+      for (const Neighbour& n : near.of(i)) {
+        if (n.atom < lonely.size() || n.image == std::array<std::int32_t, 3>{0, 0, 0}) continue;
+        const BoundaryEdge& edge = edges[n.atom - lonely.size()];
+        const Vec3 shift = image_shift(cell(), n.image);
+        const Vec3 from = mesh_.points[edge.from] + shift,
+                   side = mesh_.points[edge.to] - mesh_.points[edge.from];
+        const double along = (points[i] - from).dot(side) / side.squaredNorm();
+        if (along <= 0.0 || along >= 1.0) continue;
+        const double distance = (from + along * side - points[i]).norm();
+        if (distance >= best) continue;
+        best = distance;
+        found = {n.atom - lonely.size(), {along, lonely[i], points[i] - shift}};
+      }
+      if (found) insertions[found->first].push_back(found->second);
+    }
+    std::size_t done = 0;
+    std::vector<bool> touched(mesh_.triangles.size(), false);
+    for (auto& [e, list] : insertions) {
+      if (touched[edges[e].face]) continue;
+      touched[edges[e].face] = true;
+      std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.along < b.along; });
+      std::vector<VertexIndex> vertices;
+      for (const Insertion& insertion : list) {
+        const auto v = static_cast<VertexIndex>(mesh_.points.size());
+        mesh_.points.push_back(insertion.point);
+        partner_.push_back({insertion.vertex});
+        partner_[insertion.vertex].push_back(v);
+        boundary_.push_back(v);
+        vertices.push_back(v);
+      }
+      insert(edges[e].face, edges[e].side, vertices);
+      done += vertices.size();
+    }
+    return done;
+  }
+
+  void require_partners() const {
+    std::size_t missing = 0, in_faces = 0;
+    std::optional<VertexIndex> first;
+    for (const VertexIndex v : boundary_) {
+      if (face_of(mesh_.points[v], same_line * mean_edge_) < 0) continue;
+      ++in_faces;
+      if (!partner_[v].empty()) continue;
+      ++missing;
+      if (!first) first = v;
+    }
+    if (missing == 0) return;
+    const Vec3& p = mesh_.points[*first];
+    double nearest = std::numeric_limits<double>::infinity();
+    Vec3 where = p;
+    for (const VertexIndex v : boundary_) {
+      const Vec3 there = space_.displacement(p, mesh_.points[v]);
+      if ((there - (mesh_.points[v] - p)).norm() < mean_edge_ || there.norm() >= nearest) continue;
+      nearest = there.norm();
+      where = mesh_.points[v];
+    }
+    const std::string how_far =
+        std::isfinite(nearest)
+            ? fmt::format("the nearest image of the boundary is {:.3g} mean edges from it, of {}",
+                          nearest / mean_edge_, place(where))
+            : "there is no boundary at the opposite face";
+    fail(fmt::format(
+             "{} of {} boundary vertices in the faces of the cell have no counterpart in the opposite face; "
+             "the first is at {}: {}",
+             missing, in_faces, place(p), how_far),
+         "is the cell right? Is a part of the surface missing? Cut the surface by the cell's faces alone, or "
+         "give "
+         "--cell and --periodic");
+  }
+
+  void identify() {
+    DisjointSets sets(mesh_.points.size());
+    for (VertexIndex v = 0; v < partner_.size(); ++v)
+      for (const VertexIndex other : partner_[v]) sets.join(v, other);
+    std::vector<VertexIndex> index(mesh_.points.size(), none);
+    std::vector<Vec3> sum;
+    std::vector<double> count;
+    TriangleMesh& sewn = result_.mesh;
+    sewn.space = space_;
+    std::vector<bool> used(mesh_.points.size(), false);
+    for (const Triangle& t : mesh_.triangles)
+      for (const VertexIndex v : t) used[v] = true;
+    for (VertexIndex v = 0; v < mesh_.points.size(); ++v) {
+      if (!used[v]) continue;
+      const auto root = static_cast<VertexIndex>(sets.find(v));
+      if (index[root] == none) {
+        index[root] = static_cast<VertexIndex>(sewn.points.size());
+        sewn.points.push_back(mesh_.points[v]);
+        sum.push_back(Vec3::Zero());
+        count.push_back(0);
+      }
+      const VertexIndex i = index[root];
+      sum[i] += space_.displacement(sewn.points[i], mesh_.points[v]);
+      count[i] += 1;
+      index[v] = i;
+    }
+    for (std::size_t i = 0; i < sewn.points.size(); ++i) sewn.points[i] += sum[i] / count[i];
+    for (const Triangle& t : mesh_.triangles) {
+      const Triangle corners = {index[t[0]], index[t[1]], index[t[2]]};
+      if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+        fail(fmt::format("the triangle at {} meets itself across the cell", place(mesh_.points[t[0]])),
+             "give several cells as one (--cells 2), or a finer mesh");
+      }
+      sewn.triangles.push_back(corners);
+    }
+  }
+
+  void check() {
+    TriangleMesh& sewn = result_.mesh;
+    const EdgeTable edges = edge_table(soup_of(sewn));
+    const MeshTopology topology = mesh_topology(soup_of(sewn), edges);
+    for (const std::size_t e : topology.non_manifold_edges)
+      fail(fmt::format("the edge from {} to {} has more than two faces once the cell's faces are joined",
+                       place(sewn.points[edges.low[e]]), place(sewn.points[edges.high[e]])),
+           "faces in the cell's faces should be there once, or not at all");
+    for (const VertexIndex v : topology.non_manifold_vertices)
+      fail(fmt::format(
+               "parts of the surface hang together by a single point at {} once the cell's faces are joined",
+               place(sewn.points[v])),
+           "is the cell right?");
+    if (!topology.orientable)
+      fail("the surface has no two sides in this cell: going through it leads to the other side",
+           "give the cell twice as large (--cells 2)");
+    if (const std::size_t turned = wind_alike(sewn, topology, edges))
+      note(fmt::format("turned faces that were wound against the others across the cell: {}", turned));
+    const double longest = edge_lengths(sewn).max;
+    if (longest > space_.least_width() / 3)
+      fail("edges are too long for a cell this narrow",
+           "give several cells as one (--cells 2), or a finer mesh");
+  }
+
+  void note(std::string text) { result_.notes.push_back(std::move(text)); }
+  [[noreturn]] static void fail(const std::string& what, const std::string& remedy) {
+    throw UserError(Failure::unsuitable,
+                    fmt::format("the mesh cannot be used in this cell: {}; {}", what, remedy));
+  }
+
+  static constexpr VertexIndex none = std::numeric_limits<VertexIndex>::max();
+  TriangleMesh mesh_;
+  Space space_;
+  Mat3 to_fractional_;
+  double mean_edge_ = 0.0, tolerance_ = 0.0;
+  std::vector<VertexIndex> boundary_;
+  std::vector<std::vector<VertexIndex>> partner_;  // of each vertex, those on images of it
+  SewnSurface result_;
+};
+
+}  // namespace
+
+SewnSurface sew_in_cell(const TriangleMesh& mesh, const Cell& cell, double match) {
+  return Sewing(mesh, cell, match).run();
+}
+
+}  // namespace nanocarbon::mesh
