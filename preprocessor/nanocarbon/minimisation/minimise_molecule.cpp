@@ -16,7 +16,7 @@ const Cell* cell_of(const Molecule& molecule) { return molecule.cell ? &*molecul
 bool bonds_are_those_seen(const Molecule& molecule, const BondCutoff& carbon) {
   const NeighbourList near = neighbours_within(molecule.positions, cell_of(molecule), carbon.end);
   const auto is_carbon = [&](AtomIndex a) { return molecule.elements[a] == Element::carbon; };
-  const Space space = molecule.cell ? Space(*molecule.cell) : Space();
+  const Space space(molecule.cell);
   std::size_t seen = 0, listed = 0;
   for (AtomIndex a = 0; a < molecule.size(); ++a)
     for (const Neighbour& n : near.of(a)) seen += a < n.atom && is_carbon(a) && is_carbon(n.atom);
