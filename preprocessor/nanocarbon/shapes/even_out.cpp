@@ -26,7 +26,8 @@ void even_out(TriangleMesh& mesh, const ImplicitShape& shape, double edge, int r
     std::vector<int> count(mesh.points.size(), 0);
     for (const Triangle& t : mesh.triangles)
       for (int c = 0; c < 3; ++c) {
-        sum[t[c]] += mesh.points[t[(c + 1) % 3]] + mesh.points[t[(c + 2) % 3]];
+        sum[t[c]] += mesh.space.beside(mesh.points[t[(c + 1) % 3]], mesh.points[t[c]]) +
+                     mesh.space.beside(mesh.points[t[(c + 2) % 3]], mesh.points[t[c]]);
         count[t[c]] += 2;
       }
     for (std::size_t v = 0; v < mesh.points.size(); ++v)

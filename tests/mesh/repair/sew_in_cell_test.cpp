@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/repair/sew_in_cell.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
+#include "nanocarbon/shapes/periodic_shapes.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+TriangleMesh minimal(shapes::MinimalSurface::Kind kind) {
+  shapes::MinimalSurface surface;
+  surface.kind = kind;
+  return shapes::make_minimal_surface(surface);
+}
+
+TEST(SewInCell, MakesWholeWhatWasCutOpen) {
+  using Kind = shapes::MinimalSurface::Kind;
+  for (const Kind kind : {Kind::schwarz_p, Kind::gyroid, Kind::schwarz_d}) {
+    const TriangleMesh whole = minimal(kind);
+    const SewnSurface sewn = sew_in_cell(unfolded(whole).mesh, *whole.space.cell());
+    EXPECT_EQ(sewn.mesh.points.size(), whole.points.size());
+    EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, mesh_topology(whole).euler_characteristic);
+    EXPECT_TRUE(mesh_topology(sewn.mesh).closed());
+    EXPECT_NEAR(area(sewn.mesh), area(whole), 1e-9);
+  }
+}
+
+// A wavy sheet over the unit square; `rows` differ at the two ends if asked for.
+TriangleMesh sheet(int nx, int ny, double shear_at_end = 0) {
+  TriangleMesh mesh;
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) {
+      double y = static_cast<double>(j) / ny;
+      const double x = static_cast<double>(i) / nx;
+      if (i == nx && j > 0 && j < ny) y += shear_at_end / ny;
+      mesh.points.push_back({x, y, 0.05 * std::sin(2 * M_PI * y)});
+    }
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const auto at = [&](int a, int b) { return static_cast<VertexIndex>(b * (nx + 1) + a); };
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return mesh;
+}
+
+const Cell unit_cell = orthogonal_cell({1, 1, 1}, {true, true, false});
+
+TEST(SewInCell, JoinsCornersThatMeetFourTimes) {
+  const SewnSurface sewn = sew_in_cell(sheet(12, 12), unit_cell);
+  EXPECT_EQ(sewn.mesh.points.size(), 144u);
+  EXPECT_TRUE(mesh_topology(sewn.mesh).closed());
+  EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, 0);
+  EXPECT_TRUE(sewn.notes.empty());
+}
+
+TEST(SewInCell, CutsSeamsWhereVerticesDoNotMeet) {
+  const SewnSurface sewn = sew_in_cell(sheet(12, 12, 0.4), unit_cell);
+  EXPECT_TRUE(mesh_topology(sewn.mesh).closed());
+  EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, 0);
+  EXPECT_FALSE(sewn.notes.empty());
+}
+
+TEST(SewInCell, SplitsEdgesThatAreLongForTheCell) {
+  const SewnSurface sewn = sew_in_cell(sheet(1, 1), unit_cell);
+  EXPECT_TRUE(mesh_topology(sewn.mesh).closed());
+  EXPECT_EQ(wrapping_ranks(sewn.mesh, mesh_topology(sewn.mesh)), std::vector<int>{2});
+  EXPECT_LE(edge_lengths(sewn.mesh).max, 0.25 + 1e-12);
+}
+
+TEST(SewInCell, KeepsHolesAndDropsCaps) {
+  TriangleMesh holed = sheet(12, 12);
+  holed.triangles.erase(holed.triangles.begin() + 100, holed.triangles.begin() + 102);
+  EXPECT_EQ(mesh_topology(sew_in_cell(holed, unit_cell).mesh).boundary_loops, 1u);
+
+  // A solid between two sheets, closed by flat walls at the cell's faces.
+  TriangleMesh solid;
+  constexpr int n = 8;
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const auto first = static_cast<VertexIndex>(solid.points.size());
+    for (const Vec3& p : {a, b, c, d}) solid.points.push_back(p);
+    solid.triangles.push_back({first, first + 1, first + 2});
+    solid.triangles.push_back({first, first + 2, first + 3});
+  };
+  for (int i = 0; i < n; ++i) {
+    const double at = static_cast<double>(i) / n, next = static_cast<double>(i + 1) / n;
+    for (const double x : {0.0, 1.0}) add({x, at, 0.2}, {x, next, 0.2}, {x, next, 0.4}, {x, at, 0.4});
+    for (const double y : {0.0, 1.0}) add({at, y, 0.2}, {next, y, 0.2}, {next, y, 0.4}, {at, y, 0.4});
+    for (int j = 0; j < n; ++j) {
+      const double v = static_cast<double>(j) / n, w = static_cast<double>(j + 1) / n;
+      add({at, v, 0.4}, {next, v, 0.4}, {next, w, 0.4}, {at, w, 0.4});
+      add({at, v, 0.2}, {at, w, 0.2}, {next, w, 0.2}, {next, v, 0.2});
+    }
+  }
+  // Joined by hand: only the two sheets' own vertices, each once.
+  TriangleMesh joined;
+  for (const Vec3& p : solid.points) {
+    const auto same = std::find_if(joined.points.begin(), joined.points.end(),
+                                   [&](const Vec3& q) { return (p - q).norm() < 1e-9; });
+    if (same == joined.points.end()) joined.points.push_back(p);
+  }
+  const auto index = [&](VertexIndex v) {
+    const auto same = std::find_if(joined.points.begin(), joined.points.end(),
+                                   [&](const Vec3& q) { return (solid.points[v] - q).norm() < 1e-9; });
+    return static_cast<VertexIndex>(same - joined.points.begin());
+  };
+  for (const Triangle& t : solid.triangles)
+    joined.triangles.push_back({index(t[0]), index(t[1]), index(t[2])});
+  const SewnSurface sewn = sew_in_cell(joined, unit_cell);
+  const MeshTopology t = mesh_topology(sewn.mesh);
+  EXPECT_EQ(t.components, 2u);
+  EXPECT_TRUE(t.closed());
+  EXPECT_EQ(t.euler_characteristic, 0);
+}
+
+TEST(SewInCell, SaysWhereABoundaryHasNoPartner) {
+  TriangleMesh torn = sheet(12, 12);
+  for (Vec3& p : torn.points)
+    if (p.x() > 0.99) p.z() += 0.5;
+  try {
+    sew_in_cell(torn, unit_cell);
+    FAIL();
+  } catch (const UserError& error) {
+    EXPECT_EQ(error.failure(), Failure::unsuitable);
+    EXPECT_NE(std::string(error.what()).find("boundary vertices"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace nanocarbon::mesh
