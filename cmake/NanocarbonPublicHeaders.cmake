@@ -24,6 +24,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   mesh/diagnosis.h
   mesh/distance.h
   mesh/edge_table.h
+  mesh/formats/cell_request.h
   mesh/formats/load_surface.h
   mesh/formats/mesh_colours.h
   mesh/formats/mesh_format.h
@@ -32,10 +33,12 @@ set(NANOCARBON_PUBLIC_HEADERS
   mesh/measures.h
   mesh/mesh_topology.h
   mesh/nearest_point.h
+  mesh/periodic_mesh.h
   mesh/polygon_soup.h
   mesh/repair/repair_surface.h
   mesh/triangle_mesh.h
   mesh/triangle_tree.h
+  minimisation/cell_minimum.h
   minimisation/certificate.h
   minimisation/lbfgs.h
   minimisation/minimise_molecule.h
@@ -83,6 +86,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   remeshing/thesis/vertex_stars.h
   shapes/eisenstein.h
   shapes/implicit_shapes.h
+  shapes/periodic_shapes.h
   shapes/shapes.h
   structures/capped_tube.h
   structures/close_bonds.h

@@ -129,8 +129,9 @@ void run(BuildCommand& command) {
   if (command.length) options.size = building::LongestSide{*command.length};
   if (command.scale) options.size = building::UnitScale{*command.scale};
 
-  mesh::LoadedSurface surface =
-      mesh::load_surface(command.mesh, {.repair = !command.no_repair, .close_holes = command.close_holes});
+  mesh::LoadedSurface surface = mesh::load_surface(
+      command.mesh,
+      {.repair = !command.no_repair, .close_holes = command.close_holes, .cell = cell_request(command.cell)});
   const auto tell = [&](const char* kind, const std::vector<std::string>& facts) {
     if (command.common.quiet) return;
     for (const std::string& fact : facts)
@@ -139,6 +140,13 @@ void run(BuildCommand& command) {
   tell("note", surface.repairs);
   tell("warning", surface.warnings);
   options.tell = [&](const std::string& fact) { tell("note", {fact}); };
+
+  if (surface.mesh.space.periodic() && command.triangulation &&
+      mesh::format_to_write(*command.triangulation) == mesh::MeshFormat::stl)
+    throw UserError(
+        Failure::usage,
+        fmt::format("{}: STL files have no place for a periodic cell; name an OFF, OBJ or PLY file",
+                    command.triangulation->string()));
 
   building::BuildResult result;
   {
@@ -176,6 +184,7 @@ void add_build(CLI::App& app) {
 Examples:
   nanocarbon build torus.off -o torus.data --atoms 2000
   nanocarbon build part.stl -o part.data --length 80 --report part.json --xyz part.xyz
+  nanocarbon build schwarz.off -o schwarz.data --atoms 400 --relax-cell triclinic
   nanocarbon build bunny.off -o bunny.data --atoms 10000 --recipe thesis --projection-interval 10 --local-threshold 5
 Then, in LAMMPS:
   lmp -in examples/validate.in -var data torus.data)");

@@ -36,6 +36,12 @@ CLI::Validator whole_number_or(const std::string& word) {
       "");
 }
 
+const std::map<std::string, minimisation::CellRelaxation> cell_relaxations = {
+    {"none", minimisation::CellRelaxation::none},
+    {"isotropic", minimisation::CellRelaxation::isotropic},
+    {"orthogonal", minimisation::CellRelaxation::orthogonal},
+    {"triclinic", minimisation::CellRelaxation::triclinic}};
+
 void add_size_options(CLI::App& sub, BuildCommand& c) {
   auto* size =
       sub.add_option_group("Size", "One of these; without any, an atom for each triangle of the mesh");
@@ -45,7 +51,9 @@ void add_size_options(CLI::App& sub, BuildCommand& c) {
           "number that the shape's features allow and that holds")
       ->transform(whole_number_or("fit"))
       ->type_name("N|fit");
-  size->add_option("--length", c.length, "Longest side of the bounding box, Angstrom")->check(above_zero());
+  size->add_option("--length", c.length,
+                   "Longest side of the bounding box, or periodic edge of the cell, Angstrom")
+      ->check(above_zero());
   size->add_option("--scale", c.scale, "Angstrom for each mesh unit")->check(above_zero());
   size->require_option(0, 1);
 }
@@ -110,6 +118,14 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
   group->add_option("--max-force", c.build.force_tolerance, "Largest force left at the end, eV/Angstrom")
       ->check(above_zero())
       ->capture_default_str();
+  group
+      ->add_option_function<std::string>(
+          "--relax-cell", [&c](const std::string& name) { c.build.relax_cell = cell_relaxations.at(name); },
+          "Strains of a periodic cell that are freed in the end: none, isotropic, orthogonal or triclinic; "
+          "by default "
+          "isotropic with --atoms, none with --length and --scale and for sheets")
+      ->check(CLI::IsMember(cell_relaxations))
+      ->type_name("NAME");
   group->add_flag("--certify", c.build.certify,
                   "Prove that the molecule is at a minimum: forces below 1e-6 eV/Angstrom, Hessian positive; "
                   "where that cannot be shown the files are written, and the exit code is 8");
@@ -152,6 +168,7 @@ void add_thesis_options(CLI::App& sub, BuildCommand& c) {
 void add_build_options(CLI::App& subcommand, BuildCommand& command) {
   add_size_options(subcommand, command);
   add_mesh_options(subcommand, command);
+  add_cell_options(subcommand, command.cell);
   add_output_options(subcommand, command);
   add_recipe_options(subcommand, command);
   add_thesis_options(subcommand, command);
@@ -170,7 +187,8 @@ void require_options_of_recipe(const CLI::App& subcommand, building::Recipe reci
     return;
   }
   refuse({"--bond-length"}, "its bonds are in the middle of --min-bond and --max-bond");
-  refuse({"--quality", "--tether", "--max-force", "--certify"}, "it neither anneals nor minimises");
+  refuse({"--quality", "--tether", "--max-force", "--certify", "--relax-cell"},
+         "it neither anneals nor minimises");
 }
 
 thesis::ThesisOptions thesis_options(const BuildCommand& c) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "cell_options.h"
 #include "common_options.h"
 #include "nanocarbon/building/build_molecule.h"
 #include "nanocarbon/molecule/formats/atom_style.h"
@@ -28,6 +29,7 @@ struct BuildCommand {
   bool no_repair = false;
   double close_holes = 0.0;  //!< mesh units
   building::BuildOptions build;
+  CellOptions cell;
   CommonOptions common;
   std::string command_line;
 };

@@ -7,12 +7,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cell_options.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/diagnosis.h"
 #include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/mesh/repair/drop_specks.h"
 
 namespace nanocarbon::cli {
@@ -22,7 +26,19 @@ using Json = nlohmann::ordered_json;
 
 struct InspectCommand {
   std::string mesh;
+  CellOptions cell;
   bool json = false;
+};
+
+//! The mesh once repaired, and in its cell if it has one.
+struct Inspection {
+  mesh::LoadedSurface surface;
+  std::optional<Cell> cell = {};             // that the mesh is in
+  std::optional<TriangleMesh> in_cell = {};  // the mesh there, if it can be used
+  std::vector<std::string> notes = {};
+  std::string why_not = {};
+
+  bool usable() const { return surface.diagnosis.usable() && (!cell || in_cell); }
 };
 
 Json findings_json(const mesh::MeshDiagnosis& diagnosis, mesh::Severity wanted) {
@@ -54,7 +70,54 @@ std::size_t specks_of(const mesh::LoadedSurface& surface) {
       std::count_if(areas.begin(), areas.end(), [&](double a) { return a < least; }));
 }
 
-Json to_json(const std::string& file, const mesh::LoadedSurface& surface) {
+// What the mesh is in its cell.
+Json cell_json(const Inspection& inspection) {
+  const Cell& cell = *inspection.cell;
+  Json json = {{"vectors",
+                {vector_json(cell.vectors.col(0)), vector_json(cell.vectors.col(1)),
+                 vector_json(cell.vectors.col(2))}},
+               {"origin", vector_json(cell.origin)},
+               {"periodic", cell.periodic},
+               {"notes", inspection.notes}};
+  if (!inspection.in_cell) {
+    json["reason"] = inspection.why_not;
+    return json;
+  }
+  const mesh::MeshTopology t = mesh::mesh_topology(*inspection.in_cell);
+  json.update({{"vertices", t.vertices},
+               {"faces", t.faces},
+               {"pieces", t.components},
+               {"boundary_loops", t.boundary_loops},
+               {"euler_characteristic", t.euler_characteristic},
+               {"genus", t.genus},
+               {"wrapping", mesh::wrapping_ranks(*inspection.in_cell, t)},
+               {"area", mesh::area(*inspection.in_cell)}});
+  return json;
+}
+
+void print_cell(const Inspection& inspection) {
+  const auto line = [](std::string_view name, const std::string& value) {
+    fmt::print("  {:<18}{}\n", name, value);
+  };
+  line("cell", describe_cell(*inspection.cell));
+  for (const std::string& note : inspection.notes) line("in the cell", note);
+  if (!inspection.in_cell) {
+    if (!inspection.why_not.empty()) line("CANNOT BE USED", inspection.why_not);
+    return;
+  }
+  const mesh::MeshTopology t = mesh::mesh_topology(*inspection.in_cell);
+  constexpr const char* kinds[] = {"a bubble", "a tube", "a sheet", "a network"};
+  std::string pieces;
+  for (const int rank : mesh::wrapping_ranks(*inspection.in_cell, t))
+    pieces += fmt::format("{}{}", pieces.empty() ? "" : ", ", kinds[rank]);
+  line("in the cell",
+       fmt::format("{} piece(s) ({}), {} boundary loops, genus {} (Euler characteristic {}), area {:.6g}",
+                   t.components, pieces, t.boundary_loops, t.genus, t.euler_characteristic,
+                   mesh::area(*inspection.in_cell)));
+}
+
+Json to_json(const std::string& file, const Inspection& inspection) {
+  const mesh::LoadedSurface& surface = inspection.surface;
   const mesh::MeshDiagnosis& d = surface.diagnosis;
   const mesh::MeshTopology& t = d.topology;
   Json json = {{"file", file},
@@ -85,14 +148,16 @@ Json to_json(const std::string& file, const mesh::LoadedSurface& surface) {
                           {"genus", p.genus()}});
   json["piece"] = std::move(components);
   json["specks"] = specks_of(surface);
-  json["usable"] = d.usable();
+  if (inspection.cell) json["cell"] = cell_json(inspection);
+  json["usable"] = inspection.usable();
   json["repairs"] = surface.repairs;
   json["warnings"] = findings_json(d, mesh::Severity::warning);
   json["reasons"] = findings_json(d, mesh::Severity::reason);
   return json;
 }
 
-void print_text(const std::string& file, const mesh::LoadedSurface& surface) {
+void print_text(const std::string& file, const Inspection& inspection) {
+  const mesh::LoadedSurface& surface = inspection.surface;
   const mesh::MeshDiagnosis& d = surface.diagnosis;
   const mesh::MeshTopology& t = d.topology;
   const auto line = [](std::string_view name, const std::string& value) {
@@ -125,16 +190,26 @@ void print_text(const std::string& file, const mesh::LoadedSurface& surface) {
     if (mesh::severity(finding.problem) == mesh::Severity::warning) line("warning", finding.text);
     if (mesh::severity(finding.problem) == mesh::Severity::reason) line("CANNOT BE USED", finding.text);
   }
-  if (d.usable()) line("usable", "yes: nanocarbon build takes it");
+  if (inspection.cell) print_cell(inspection);
+  if (inspection.usable()) line("usable", "yes: nanocarbon build takes it");
 }
 
 void run(const InspectCommand& command) {
-  const mesh::LoadedSurface surface = mesh::examine_surface(command.mesh);
+  const mesh::CellRequest request = cell_request(command.cell);
+  Inspection inspection{mesh::examine_surface(command.mesh, request)};
+  inspection.cell = inspection.surface.cell;
+  if (inspection.cell && inspection.surface.diagnosis.usable()) try {
+      inspection.in_cell =
+          mesh::in_cell(inspection.surface.mesh, *inspection.cell, request, inspection.notes);
+      inspection.cell = *inspection.in_cell->space.cell();
+    } catch (const UserError& error) {
+      inspection.why_not = error.what();
+    }
   if (command.json)
-    fmt::print("{}\n", to_json(command.mesh, surface).dump(2));
+    fmt::print("{}\n", to_json(command.mesh, inspection).dump(2));
   else
-    print_text(command.mesh, surface);
-  if (!surface.diagnosis.usable()) throw CLI::RuntimeError(static_cast<int>(Failure::unsuitable));
+    print_text(command.mesh, inspection);
+  if (!inspection.usable()) throw CLI::RuntimeError(static_cast<int>(Failure::unsuitable));
 }
 
 }  // namespace
@@ -145,10 +220,12 @@ void add_inspect(CLI::App& app) {
   const auto command = std::make_shared<InspectCommand>();
   sub.add_option("MESH", command->mesh, "Mesh file: OFF, OBJ, PLY or STL, text or binary")->required();
   sub.add_flag("--json", command->json, "Print JSON");
+  add_cell_options(sub, command->cell);
   sub.footer(R"(The exit code is 0 when nanocarbon build would take the mesh, 5 when it would not.
 Examples:
   nanocarbon inspect scan.ply
-  nanocarbon inspect part.stl --json)");
+  nanocarbon inspect part.stl --json
+  nanocarbon inspect gyroid.stl --cell 10,10,10)");
   sub.callback([command] { run(*command); });
 }
 

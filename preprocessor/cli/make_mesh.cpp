@@ -3,9 +3,11 @@
 #include <memory>
 #include <string>
 
+#include "cell_options.h"
 #include "make.h"
 #include "make_output.h"
 #include "nanocarbon/shapes/implicit_shapes.h"
+#include "nanocarbon/shapes/periodic_shapes.h"
 #include "nanocarbon/shapes/shapes.h"
 #include "number_checks.h"
 
@@ -143,6 +145,53 @@ void add_minimal_surface(CLI::App& mesh, const char* name, const char* descripti
       ->capture_default_str();
 }
 
+void add_periodic_surface(CLI::App& mesh, shapes::MinimalSurface::Kind kind, const char* description) {
+  struct Periodic {
+    shapes::MinimalSurface surface;
+    std::vector<int> cells;
+  };
+  const std::string name(shapes::name(kind));
+  const auto c = add_shape<Periodic>(mesh, name.c_str(), description, [](const Periodic& p) {
+    shapes::MinimalSurface surface = p.surface;
+    surface.cells = cells_each_way(p.cells);
+    return shapes::make_minimal_surface(surface);
+  });
+  shapes::MinimalSurface& surface = c->shape.surface;
+  surface.kind = kind;
+  length(mesh, name.c_str(), "--period", surface.period, "Edge of the cubic cell");
+  length(mesh, name.c_str(), "--edge", surface.edge, "Length of the edges of its triangles");
+  CLI::App& sub = *mesh.get_subcommand(name);
+  sub.add_option("--cells", c->shape.cells, "Cells, all ways or along each edge (1)")
+      ->expected(1, 3)
+      ->delimiter(',')
+      ->check(between(1, 100))
+      ->type_name("N");
+  sub.add_flag("--primitive", surface.primitive,
+               "The least cell in place of the cube, where that is centred");
+  sub.add_option("--level", surface.level, "Value of the nodal function on the surface (0: the minimal one)")
+      ->check(between(-3.0, 3.0))
+      ->capture_default_str();
+}
+
+void add_foam(CLI::App& mesh) {
+  const auto c = add_shape<shapes::Foam>(
+      mesh, "foam", "A random porous surface in a periodic cube: a level of a Gaussian random field",
+      shapes::make_foam);
+  length(mesh, "foam", "--size", c->shape.size, "Edge of the cube");
+  length(mesh, "foam", "--edge", c->shape.edge, "Length of the edges of its triangles");
+  CLI::App& sub = *mesh.get_subcommand("foam");
+  sub.add_option("--waves", c->shape.waves, "Wave lengths of the field along the cube's edge")
+      ->check(between(1.0, 30.0))
+      ->capture_default_str();
+  sub.add_option("--level", c->shape.level, "Level of the field, in standard deviations")
+      ->check(between(-1.0, 1.0))
+      ->capture_default_str();
+  sub.add_option("--seed", c->shape.seed, "Seed of the field")
+      ->transform(whole_number())
+      ->check(zero_or_more())
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_make_mesh(CLI::App& make) {
@@ -162,11 +211,23 @@ void add_make_mesh(CLI::App& make) {
                       shapes::MinimalSurfacePiece::Kind::schwarz_p);
   add_minimal_surface(mesh, "schwarz-d-piece", "A cube's worth of Schwarz's D surface",
                       shapes::MinimalSurfacePiece::Kind::schwarz_d);
+  using Kind = shapes::MinimalSurface::Kind;
+  add_periodic_surface(mesh, Kind::gyroid, "The gyroid in a periodic cell");
+  add_periodic_surface(mesh, Kind::schwarz_p, "Schwarz's P surface in a periodic cell");
+  add_periodic_surface(mesh, Kind::schwarz_d, "Schwarz's D surface in a periodic cell");
+  add_periodic_surface(mesh, Kind::iwp, "Schoen's I-WP surface in a periodic cell");
+  add_periodic_surface(mesh, Kind::neovius, "Neovius's surface in a periodic cell");
+  add_periodic_surface(mesh, Kind::frd, "Schoen's F-RD surface in a periodic cell");
+  add_periodic_surface(mesh, Kind::fischer_koch_s, "Fischer and Koch's S surface in a periodic cell");
+  add_periodic_surface(mesh, Kind::lidinoid, "The lidinoid in a periodic cell");
+  add_foam(mesh);
   mesh.footer(R"(Lengths are in mesh units; 'nanocarbon build' has options for the size in Angstrom.
 Examples:
   nanocarbon make mesh torus --major 3 --minor 1 --edge 0.2 -o torus.off
   nanocarbon make mesh junction --kind y --tube-radius 1 --arm-length 5 -o junction.off
-  nanocarbon make mesh gyroid-piece --cells 1.5 -o gyroid.ply)");
+  nanocarbon make mesh gyroid-piece --cells 1.5 -o gyroid.ply
+  nanocarbon make mesh schwarz-p -o p.off
+  nanocarbon make mesh foam --waves 3 --seed 7 -o foam.off)");
 }
 
 }  // namespace nanocarbon::cli

@@ -19,9 +19,11 @@ def keys(value, path=""):
 def main():
     program, page, mesh, folder = sys.argv[1:]
     written = set()
-    for name, options in {"annealed": ["--quality", "draft", "--certify"], "thesis": ["--recipe", "thesis"]}.items():
+    periodic = f"{folder}/schwarz-p.off"
+    subprocess.run([program, "make", "mesh", "schwarz-p", "-o", periodic, "--quiet"], check=True)
+    for name, options in {"periodic": ["--quality", "draft"], "annealed": ["--quality", "draft", "--certify"], "thesis": ["--recipe", "thesis"]}.items():
         report = f"{folder}/{name}.json"
-        subprocess.run([program, "build", mesh, "-o", f"{folder}/{name}.data", "--atoms", "300", "--quiet", "--report",
+        subprocess.run([program, "build", periodic if name == "periodic" else mesh, "-o", f"{folder}/{name}.data", "--atoms", "300", "--quiet", "--report",
                         report, *options], check=True)
         with open(report) as text:
             written |= set(keys(json.load(text)))

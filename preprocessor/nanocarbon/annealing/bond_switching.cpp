@@ -161,7 +161,8 @@ class Annealer {
     Attempt attempt;
     constexpr int draws = 60;
     for (int draw = 0; draw < draws && !attempt.made; ++draw) {
-      auto edit = draw_edit(state_.network, defects_.list(), options_.climb_share, random);
+      auto edit =
+          draw_edit(state_.network, defects_.list(), options_.climb_share, random, options_.largest_ring);
       if (!edit) continue;
       ++attempt.trials;
       attempt.allowance = draw_allowance(*edit, terms_, random);

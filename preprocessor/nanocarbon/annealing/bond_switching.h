@@ -17,6 +17,7 @@ struct BondSwitchingOptions {
   double tether = 0.05;            //!< eV/Angstrom^2
   double count_penalty = -1;       //!< eV for each (atoms - target)^2; below zero: by size
   std::size_t target_atoms = 0;    //!< 0: as many as at the start
+  long largest_ring = 7;           //!< atoms in a ring; 8 where all of the surface is a saddle
   std::uint64_t seed = 1;
   unsigned threads = 1;
   //! Told after each block; may be empty.
@@ -35,8 +36,8 @@ struct BondSwitchingResult {
 //! \brief Anneals the defects of a carbon network by Stone-Wales switches and dislocation climb.
 //! \details Monte Carlo with local relaxation on the fixed-bond REBO2 energy; each block ends with a
 //! relaxation of the whole. Trials run in batches on one state and are committed in order where they do not
-//! overlap, so the outcome does not depend on the number of threads. Rings keep 5 to 7 atoms (others only get
-//! better); boundaries stay as they are.
+//! overlap, so the outcome does not depend on the number of threads. Rings keep 5 to 7 (or 8) atoms (others only
+//! get better); boundaries stay as they are.
 //! \param state compact; on return compact and relaxed
 BondSwitchingResult anneal_bonds(SwitchingState& state, const TetherSurface& surface,
                                  const BondSwitchingOptions& options);

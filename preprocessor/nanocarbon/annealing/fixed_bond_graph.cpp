@@ -10,7 +10,7 @@ namespace nanocarbon::annealing {
 FixedBondGraph fixed_bond_graph(const Molecule& molecule) {
   FixedBondGraph graph;
   graph.neighbours.assign(molecule.size(), {no_atom, no_atom, no_atom});
-  if (molecule.cell) graph.space = Space(*molecule.cell);
+  graph.space = Space(molecule.cell);
   const auto add = [&](AtomIndex from, AtomIndex to) {
     for (AtomIndex& slot : graph.neighbours[from])
       if (slot == no_atom) {

@@ -15,7 +15,8 @@ constexpr double screen_margin = 1.7;  // eV above the threshold at which a scre
 long squared_defect(long size) { return (size - 6) * (size - 6); }
 
 // Change of the sum of (size - 6)^2; nothing where a ring gets a size it must not have.
-std::optional<long> defect_change(const TrivalentNetwork& network, const NetworkEdit& edit) {
+std::optional<long> defect_change(const TrivalentNetwork& network, const NetworkEdit& edit,
+                                  long largest_ring) {
   long change = 0;
   for (const auto& [ring, difference] : edit.rings) {
     const long before = ring == added_ring ? 6 : static_cast<long>(network.rings[ring].size);
@@ -24,7 +25,7 @@ std::optional<long> defect_change(const TrivalentNetwork& network, const Network
       change -= squared_defect(before);
       continue;
     }
-    const bool allowed = after >= 5 && after <= 7;
+    const bool allowed = after >= 5 && after <= largest_ring;
     const bool better = ring != added_ring && std::labs(after - 6) < std::labs(before - 6);
     if (!allowed && !better) return {};
     change += squared_defect(after) - (ring == added_ring ? 0 : squared_defect(before));
@@ -58,11 +59,11 @@ std::optional<NetworkEdit> draw_any_edit(const TrivalentNetwork& network, RingIn
 }  // namespace
 
 std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<const RingIndex> defects,
-                                     double climb_share, RandomStream& random) {
+                                     double climb_share, RandomStream& random, long largest_ring) {
   const RingIndex ring = defects[random.below(defects.size())];
   auto edit = draw_any_edit(network, ring, climb_share, random);
   if (!edit) return {};
-  const auto change = defect_change(network, *edit);
+  const auto change = defect_change(network, *edit, largest_ring);
   if (!change || *change > 4 || (*change == 4 && random.uniform() > 0.2)) return {};
   return edit;
 }

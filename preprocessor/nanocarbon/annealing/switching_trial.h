@@ -35,10 +35,10 @@ struct TrialWorkspace {
 };
 
 //! Draws a switch at one of the defects (rings that are not hexagons), or nothing where ring sizes forbid it.
-//! Sizes stay 5 to 7, or come nearer to that; the sum of (size - 6)^2 may rise by 4 at most, and by 4 one
+//! Sizes stay 5 to 7 (or 8), or come nearer to that; the sum of (size - 6)^2 may rise by 4 at most, and by 4 one
 //! time in five.
 std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<const RingIndex> defects,
-                                     double climb_share, RandomStream& random);
+                                     double climb_share, RandomStream& random, long largest_ring = 7);
 
 //! The most that the energy may rise by a switch, eV, but for the price of atoms gained: drawn
 //! by the Metropolis rule before anything is relaxed.

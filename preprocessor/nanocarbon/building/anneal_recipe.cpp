@@ -16,6 +16,7 @@
 #include "nanocarbon/building/spring_back.h"
 #include "nanocarbon/building/start_choice.h"
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/minimisation/minimise_molecule.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
 
@@ -32,6 +33,9 @@ constexpr double refined_tether_share = 0.2;
 constexpr double least_left = 0.75;
 
 constexpr int mendings = 2;
+
+// A cell narrower than this has vertices that meet through two images, and levels in it are not tried. Angstrom.
+constexpr double least_width = 9;
 
 // An annealed molecule at full size, and what it is once it is let go.
 struct Candidate {
@@ -104,7 +108,9 @@ class Recipe {
   // not show them at a quarter of the atoms.
   Candidate best_candidate(annealing::AnnealingLevel direct) {
     std::optional<Candidate> best;
-    for (int refinements = refinements_for(atoms_, options_.quality); refinements > 0; --refinements) {
+    int most = refinements_for(atoms_, options_.quality);
+    while (most > 0 && surface_.space.least_width() * scale(most) < least_width) --most;
+    for (int refinements = most; refinements > 0; --refinements) {
       CoarseStarts starts(surface_, atoms_, refinements, triangulate_, options_);
       while (starts.left()) {
         auto candidate = refined_candidate(starts.next(), refinements, direct.unannealed);
@@ -163,14 +169,27 @@ class Recipe {
   // Moves the molecule to where it fits the surface best, of the size that fits it.
   void align(AnnealResult& result) const {
     std::vector<Vec3>& positions = result.molecule.positions;
+    TriangleMesh surface = surface_;
+    if (surface.space.periodic()) mesh::deform(surface, result.deformation);
     const annealing::Similarity fit =
-        annealing::fit_to_surface(positions, annealing::TetherSurface(surface_, 1), !options_.keep_size);
+        annealing::fit_to_surface(positions, annealing::TetherSurface(surface, 1), !options_.keep_size);
     result.growth = 1 / fit.scale;
     for (Vec3& p : positions) p = fit(p) / fit.scale;
-    const annealing::TetherSurface tether_surface(surface_, result.growth);
+    const annealing::TetherSurface tether_surface(surface, result.growth);
     result.mean_distance = 0;
     for (const Vec3& p : positions)
       result.mean_distance += tether_surface.distance(p) / static_cast<double>(positions.size());
+  }
+
+  // With the cell's strains that are freed.
+  minimisation::MinimisationResult minimise(AnnealResult& result) const {
+    const minimisation::MinimisationOptions wanted{.force_tolerance = options_.force_tolerance};
+    if (!result.molecule.cell) return minimisation::minimise_molecule(result.molecule, potential_, wanted);
+    const minimisation::CellMinimum relaxed =
+        minimisation::minimise_in_cell(result.molecule, potential_, options_.relax_cell, wanted);
+    result.deformation = relaxed.deformation;
+    result.stress = relaxed.stress;
+    return relaxed.minimum;
   }
 
   void finish(annealing::AnnealingLevel& level, AnnealResult& result) const {
@@ -190,8 +209,7 @@ class Recipe {
           model, nullptr, positions,
           {.max_iterations = 2000, .force_tolerance = (attempt == 0 ? 50 : 3) * options_.force_tolerance});
       result.molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
-      const auto relaxed = minimisation::minimise_molecule(result.molecule, potential_,
-                                                           {.force_tolerance = options_.force_tolerance});
+      const auto relaxed = minimise(result);
       result.energy = relaxed.energy / static_cast<double>(result.molecule.size());
       result.max_force = relaxed.max_force;
       result.intact = relaxed.intact;
@@ -199,7 +217,7 @@ class Recipe {
     result.accepted = level.accepted;
     result.network = level.state.network;
     const annealing::GeometryCheck check =
-        annealing::check_geometry(result.molecule.positions, model.rebo2.graph());
+        annealing::check_geometry(result.molecule.positions, annealing::fixed_bond_graph(result.molecule));
     result.shortest_bond = check.shortest_bond;
     result.longest_bond = check.longest_bond;
     result.closest_unbonded = check.closest_unbonded;

@@ -19,6 +19,8 @@ struct AnnealResult {
   double max_force = 0;                 //!< eV/Angstrom
   double mean_distance = 0;             //!< of the atoms to the surface, Angstrom
   double growth = 1;                    //!< the surface times this fits the molecule
+  Mat3 deformation = Mat3::Identity();  //!< of the cell by the last minimisation, the surface's too
+  Mat3 stress = Mat3::Zero();           //!< of the cell, eV/Angstrom^3; negative under pressure
   double shortest_bond = 0;             //!< Angstrom
   double longest_bond = 0;              //!< Angstrom
   double closest_unbonded = 0;          //!< Angstrom, at most 2.2 (geometry_check.h)

@@ -9,6 +9,7 @@
 
 #include "nanocarbon/core/quality.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
+#include "nanocarbon/minimisation/cell_minimum.h"
 
 namespace nanocarbon::building {
 
@@ -35,6 +36,9 @@ struct AnnealOptions {
   //! Keep the surface's size. Otherwise, as the number of atoms is what is asked for, it becomes what fits
   //! best.
   bool keep_size = false;
+  //! Strains of a periodic cell that the last minimisation frees.
+  minimisation::CellRelaxation relax_cell = minimisation::CellRelaxation::none;
+  long largest_ring = 7;     //!< atoms in a ring that annealing makes
   RoomMaker make_room = {};  //!< empty: there is room
   std::function<void(std::string_view stage, double share)> progress = {};
 };

@@ -25,6 +25,7 @@ annealing::BondSwitchingOptions schedule_for(std::size_t atoms, const AnnealOpti
   schedule.target_atoms = atoms;
   schedule.seed = options.seed;
   schedule.threads = options.threads;
+  schedule.largest_ring = options.largest_ring;
   schedule.cold = 0.2;
   return schedule;
 }

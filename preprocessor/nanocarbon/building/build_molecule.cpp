@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -15,6 +16,7 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/mesh/repair/drop_specks.h"
 #include "nanocarbon/molecule/dual.h"
 #include "nanocarbon/remeshing/crystal/crystallise.h"
@@ -172,10 +174,32 @@ void certify_annealed(BuildResult& result, potential::Potential& potential, cons
   result.certificate = certificate;
 }
 
+std::vector<int> ranks_of(const TriangleMesh& surface) {
+  return mesh::wrapping_ranks(surface, mesh::mesh_topology(surface));
+}
+
+// Vertices must not meet through two images, and contacts must be unique.
+void require_wide_cell(const SizedSurface& surface) {
+  constexpr double least_width = 9.0;  // Angstrom
+  const double width = surface.mesh.space.least_width();
+  if (width >= least_width) return;
+  const double grown = least_width / width;
+  throw UserError(
+      Failure::size,
+      fmt::format(
+          "the cell is {:.3g} A wide at the size asked for, and should have {:.2g} A: ask for --atoms {} or "
+          "more, or take several cells as one with --cells 2",
+          width, least_width,
+          static_cast<std::size_t>(std::ceil(grown * grown * static_cast<double>(surface.atoms)))));
+}
+
 void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   Stopwatch stage;
   if (!options.force) require_room_for_features(result, options);
   const std::unique_ptr<potential::Potential> potential = make_potential(options.potential);
+  const bool periodic = result.surface.mesh.space.periodic();
+  if (options.certify && periodic)
+    throw UserError(Failure::usage, "--certify does not know periodic cells yet; leave it out");
   if (options.certify && potential->unbonded_reach() > 0)
     throw UserError(Failure::usage,
                     fmt::format("--certify knows potentials of bonds alone, not {}; take --potential "
@@ -198,6 +222,11 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
                           .progress = options.progress};
   annealing.keep_size = keeps_size(options.size);
   annealing.tether = tether_of(options);
+  if (periodic) {
+    annealing.relax_cell = relaxed_strains(options, result.surface.mesh);
+    const std::vector<int> ranks = ranks_of(result.surface.mesh);
+    if (*std::min_element(ranks.begin(), ranks.end()) == 3) annealing.largest_ring = 8;
+  }
   annealing.make_room = [&](const TriangleMesh& thin) {
     return features::with_room_for_sheets(thin, features::resting_sheet_distance, options.threads);
   };
@@ -210,6 +239,10 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   result.molecule = std::exchange(result.annealed->molecule, {});
   result.surface.scale *= result.annealed->growth;
   rescale(result.surface.mesh, result.annealed->growth);
+  if (periodic) {
+    mesh::deform(result.surface.mesh, result.annealed->deformation);
+    result.surface.scale *= std::cbrt(result.annealed->deformation.determinant());
+  }
   require_bonds_that_hold(result, options);
   if (!options.force) require_rings_of_carbon(result.molecule);
   if (options.certify) {
@@ -218,9 +251,8 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
     require_bonds_that_hold(result, options);
   }
   require_likeness(result, *potential, options);
-  result.triangulation =
-      annealing::triangulation_of(result.annealed->network, result.molecule.positions,
-                                  result.molecule.cell ? Space(*result.molecule.cell) : Space());
+  result.triangulation = annealing::triangulation_of(result.annealed->network, result.molecule.positions,
+                                                     Space(result.molecule.cell));
   result.seconds.molecule = stage.lap() - result.seconds.remeshing;
 }
 
@@ -231,6 +263,7 @@ BuildResult build_once(const TriangleMesh& surface, const BuildOptions& options)
   Stopwatch whole;
   result.surface = sized_without_specks(surface, options.size, annealed ? options.bond_length : thesis_bond,
                                         options.drop_specks, result.specks_dropped);
+  if (surface.space.periodic()) require_wide_cell(result.surface);
   if (annealed)
     build_by_annealing(result, options);
   else
@@ -337,7 +370,26 @@ double tether_of(const BuildOptions& options) {
   return options.tether.value_or(keeps_size(options.size) ? default_tether_of_size : default_tether);
 }
 
+minimisation::CellRelaxation relaxed_strains(const BuildOptions& options, const TriangleMesh& surface) {
+  if (!surface.space.periodic()) return minimisation::CellRelaxation::none;
+  if (options.relax_cell) return *options.relax_cell;
+  const std::vector<int> ranks = ranks_of(surface);
+  const bool sheets = std::all_of(ranks.begin(), ranks.end(), [](int rank) { return rank == 2; });
+  return keeps_size(options.size) || sheets ? minimisation::CellRelaxation::none
+                                            : minimisation::CellRelaxation::isotropic;
+}
+
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options) {
+  const bool periodic = surface.space.periodic();
+  if (options.recipe != Recipe::annealed && periodic)
+    throw UserError(
+        Failure::usage,
+        fmt::format("--recipe {} does not know periodic cells; take the default recipe, or the mesh as it "
+                    "is in free space with --periodic none",
+                    name(options.recipe)));
+  if (options.relax_cell && *options.relax_cell != minimisation::CellRelaxation::none && !periodic)
+    throw UserError(Failure::usage,
+                    "--relax-cell is for meshes in a periodic cell; this one is in free space");
   if (options.fit) return build_fitting(surface, options);
   try {
     return build_once(surface, options);

@@ -42,6 +42,8 @@ struct BuildOptions {
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
   //! Prove that the molecule is at a minimum (certificate.h); only with potentials of bonds alone.
   bool certify = false;
+  //! Strains of a periodic cell that are freed in the end; nothing: relaxed_strains()
+  std::optional<minimisation::CellRelaxation> relax_cell;
   //! @}
   //! Leave out pieces of the surface that have no room for a cage; they are an error otherwise.
   bool drop_specks = false;
@@ -66,6 +68,11 @@ struct BuildOptions {
 
 //! The tether that annealing uses, eV/Angstrom^2: the one asked for, or what suits the size asked for.
 double tether_of(const BuildOptions& options);
+
+//! \brief The strains of the cell that are freed: those asked for, or what suits the size asked for.
+//! \details A number of atoms leaves the cell's size free; a length or scale means it. Sheets alone would lose
+//! their ripples by it.
+minimisation::CellRelaxation relaxed_strains(const BuildOptions& options, const TriangleMesh& surface);
 
 //! Wall-clock seconds of each stage.
 struct BuildSeconds {

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "nanocarbon/core/version.h"
 #include "nanocarbon/mesh/distance.h"
 #include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/molecule/bond_statistics.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
 
@@ -138,6 +140,38 @@ Json options_json(const BuildResult& result, const BuildOptions& o) {
   return json;
 }
 
+// The cell at the end, what was done to it, and how the pieces go through it.
+Json cell_json(const BuildResult& result, const BuildOptions& options) {
+  constexpr double gigapascal = 160.21766208;      // of 1 eV/Angstrom^3
+  constexpr double grams_per_cm3 = 1.66053906660;  // of 1 g/mol/Angstrom^3
+  const Cell& cell = *result.molecule.cell;
+  const auto row = [](const Vec3& v) { return Json{v[0], v[1], v[2]}; };
+  const auto matrix = [&](const Mat3& m) { return Json{row(m.row(0)), row(m.row(1)), row(m.row(2))}; };
+  const Mat3& m = cell.vectors;
+  const auto angle = [&](int i, int j) {
+    return std::acos(m.col(i).dot(m.col(j)) / (m.col(i).norm() * m.col(j).norm())) * 180 / std::numbers::pi;
+  };
+  Json json = {
+      {"vectors", {row(m.col(0)), row(m.col(1)), row(m.col(2))}},
+      {"origin", row(cell.origin)},
+      {"periodic", cell.periodic},
+      {"lengths", {m.col(0).norm(), m.col(1).norm(), m.col(2).norm()}},
+      {"angles", {angle(1, 2), angle(0, 2), angle(0, 1)}},
+      {"volume", volume(cell)},
+      {"wrapping", mesh::wrapping_ranks(result.triangulation, mesh::mesh_topology(result.triangulation))}};
+  if (cell.periodic == std::array<bool, 3>{true, true, true}) {
+    double mass_sum = 0.0;
+    for (const Element element : result.molecule.elements) mass_sum += mass(element);
+    json["density"] = mass_sum / volume(cell) * grams_per_cm3;
+  }
+  if (result.annealed) {
+    json["relaxed"] = minimisation::name(relaxed_strains(options, result.surface.mesh));
+    json["deformation"] = matrix(result.annealed->deformation);
+    json["stress"] = matrix(result.annealed->stress * gigapascal);
+  }
+  return json;
+}
+
 }  // namespace
 
 Json build_report(const BuildResult& result, const BuildOptions& options, const ReportContext& context) {
@@ -153,6 +187,7 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
   report["input"] = {{"file", context.input}, {"repairs", context.repairs}, {"scale", result.surface.scale}};
   report["input"].update(topology_json(result.surface.mesh));
   report["options"] = options_json(result, options);
+  if (molecule.cell) report["cell"] = cell_json(result, options);
   report["molecule"] = {{"atoms", molecule.size()},
                         {"bonds", molecule.bonds.size()},
                         {"rings", molecule.rings.size()},
@@ -214,6 +249,22 @@ std::string report_table(const Json& report) {
                        l["standard_deviation"].get<double>(), 100 * l["fraction_short"].get<double>(),
                        100 * l["fraction_long"].get<double>());
   };
+  if (report.contains("cell")) {
+    const Json& c = report["cell"];
+    std::string cell =
+        fmt::format("{:.4f} x {:.4f} x {:.4f}, angles {:.3f}, {:.3f}, {:.3f}", c["lengths"][0].get<double>(),
+                    c["lengths"][1].get<double>(), c["lengths"][2].get<double>(),
+                    c["angles"][0].get<double>(), c["angles"][1].get<double>(), c["angles"][2].get<double>());
+    if (c.contains("density")) cell += fmt::format(", {:.4f} g/cm3", c["density"].get<double>());
+    line("cell, A", cell);
+    if (c.contains("stress")) {
+      double largest = 0.0;
+      for (const Json& row : c["stress"])
+        for (const Json& value : row) largest = std::max(largest, std::abs(value.get<double>()));
+      line("stress, GPa",
+           fmt::format("{:.2g} at most, with strains freed: {}", largest, c["relaxed"].get<std::string>()));
+    }
+  }
   line("bonds, A", lengths("bond_lengths"));
   line("triangulation edges, A", lengths("triangulation_edges"));
   line("bond angles, degrees",

@@ -23,7 +23,7 @@ struct Fault {
 
 Fault worst_fault(const Molecule& molecule) {
   Fault worst{"atoms that do not lie as their bonds want", Vec3::Zero(), 0};
-  const Space space = molecule.cell ? Space(*molecule.cell) : Space();
+  const Space space(molecule.cell);
   const auto between = [&](AtomIndex a, AtomIndex b) {
     return space.displacement(molecule.positions[a], molecule.positions[b]);
   };

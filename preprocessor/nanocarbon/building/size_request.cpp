@@ -33,8 +33,16 @@ struct ScaleOf {
   }
   double operator()(AtomPerTriangle) const { return for_atoms(surface.triangles.size()); }
   double operator()(AtomCount request) const { return for_atoms(request.atoms); }
-  double operator()(LongestSide request) const {
-    return request.length / mesh::bounding_box(surface.points).longest_side();
+  double operator()(LongestSide request) const { return request.length / longest_side(); }
+  // In a cell that of its longest periodic edge: the length that the molecule repeats itself by.
+  double longest_side() const {
+    const Cell* cell = surface.space.cell();
+    if (!cell) return mesh::bounding_box(surface.points).longest_side();
+    double longest = 0.0;
+    for (int d = 0; d < 3; ++d)
+      if (cell->periodic[static_cast<std::size_t>(d)])
+        longest = std::max(longest, cell->vectors.col(d).norm());
+    return longest;
   }
   double operator()(UnitScale request) const { return request.scale; }
 };
@@ -73,8 +81,7 @@ SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& reque
         Failure::size,
         fmt::format("the size asked for leaves room for {} atom(s), and no cage has fewer than {}; "
                     "ask for more with --atoms N, --length {:.3g} or --scale {:.3g}",
-                    sized.atoms, smallest_cage,
-                    mesh::bounding_box(surface.points).longest_side() * scale_of.for_atoms(smallest_cage),
+                    sized.atoms, smallest_cage, scale_of.longest_side() * scale_of.for_atoms(smallest_cage),
                     scale_of.for_atoms(smallest_cage)));
   rescale(sized.mesh, sized.scale);
   return sized;

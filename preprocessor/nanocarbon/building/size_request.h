@@ -15,7 +15,7 @@ struct AtomCount {
   std::size_t atoms;
 };
 struct LongestSide {
-  double length;  //!< of the bounding box, Angstrom
+  double length;  //!< of the bounding box, or the longest periodic edge of the cell, Angstrom
 };
 struct UnitScale {
   double scale;  //!< Angstrom for each mesh unit

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "nanocarbon/core/error.h"
@@ -16,74 +14,58 @@
 namespace nanocarbon::mesh {
 namespace {
 
-//! What was found in a file, before it is sewn in a cell.
-struct Examined {
-  LoadedSurface surface;
-  std::optional<Cell> cell;
-  std::vector<std::string> mended;
-};
-
-bool has_reasons(const MeshDiagnosis& diagnosis) {
-  return std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), [](const MeshFinding& finding) {
-    return severity(finding.problem) == Severity::reason;
-  });
-}
-
-Examined examine(const std::filesystem::path& path, const CellRequest& request, double close_holes) {
-  Examined found;
+LoadedSurface examine(const std::filesystem::path& path, const CellRequest& request, double close_holes,
+                      std::vector<std::string>& mended) {
   PolygonSoup soup = read_mesh(path);
-  found.surface.vertices_read = soup.points.size();
-  found.surface.faces_read = soup.faces();
-  found.cell = requested_cell(request, soup);
+  LoadedSurface surface;
+  surface.vertices_read = soup.points.size();
+  surface.faces_read = soup.faces();
+  surface.cell = requested_cell(request, soup);
   RepairedSurface repaired = repair_surface(std::move(soup), close_holes);
-  found.mended = std::move(repaired.mended);
-  found.surface.mesh = std::move(repaired.mesh);
-  found.surface.repairs = std::move(repaired.repairs);
-  found.surface.diagnosis = std::move(repaired.diagnosis);
-  for (const MeshFinding& finding : found.surface.diagnosis.findings) {
+  mended = std::move(repaired.mended);
+  surface.mesh = std::move(repaired.mesh);
+  surface.repairs = std::move(repaired.repairs);
+  surface.diagnosis = std::move(repaired.diagnosis);
+  for (const MeshFinding& finding : surface.diagnosis.findings) {
     // Where a mesh was cut open for its cell, parts can meet in a point.
-    if (found.cell && finding.problem == MeshProblem::duplicate_vertex) continue;
-    if (severity(finding.problem) == Severity::warning) found.surface.warnings.push_back(finding.text);
+    if (surface.cell && finding.problem == MeshProblem::duplicate_vertex) continue;
+    if (severity(finding.problem) == Severity::warning) surface.warnings.push_back(finding.text);
   }
-  return found;
-}
-
-void put_in_cell(Examined& found, const CellRequest& request, const std::filesystem::path& path) {
-  if (!found.cell && request.cells != std::array<int, 3>{1, 1, 1})
-    throw UserError(Failure::usage,
-                    fmt::format("{}: the mesh is in free space, where there are no cells to repeat; "
-                                "give --periodic or --cell",
-                                path.string()));
-  if (!found.cell) return;
-  try {
-    found.surface.mesh = in_cell(found.surface.mesh, *found.cell, request, found.surface.repairs);
-  } catch (const UserError& error) {
-    throw UserError(error.failure(), fmt::format("{}: {}", path.string(), error.what()));
-  }
+  return surface;
 }
 
 }  // namespace
 
 LoadedSurface examine_surface(const std::filesystem::path& path, const CellRequest& cell) {
-  Examined found = examine(path, cell, 0.0);
-  if (!has_reasons(found.surface.diagnosis)) put_in_cell(found, cell, path);
-  return std::move(found.surface);
+  std::vector<std::string> mended;
+  return examine(path, cell, 0.0, mended);
 }
 
 LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions& options) {
-  Examined found = examine(path, options.cell, options.close_holes);
+  std::vector<std::string> mended;
+  LoadedSurface surface = examine(path, options.cell, options.close_holes, mended);
   std::string reasons;
-  for (const MeshFinding& finding : found.surface.diagnosis.findings)
+  for (const MeshFinding& finding : surface.diagnosis.findings)
     if (severity(finding.problem) == Severity::reason) reasons += "\n  - " + finding.text;
   if (!reasons.empty())
     throw UserError(Failure::unsuitable,
                     fmt::format("{}: the mesh cannot be used:{}", path.string(), reasons));
-  if (!options.repair && !found.mended.empty())
+  if (!options.repair && !mended.empty())
     throw UserError(Failure::unsuitable,
                     fmt::format("{}: the mesh needs repairs, which --no-repair forbids:\n  - {}",
-                                path.string(), fmt::join(found.mended, "\n  - ")));
-  put_in_cell(found, options.cell, path);
-  return std::move(found.surface);
+                                path.string(), fmt::join(mended, "\n  - ")));
+  if (!surface.cell && options.cell.cells != std::array<int, 3>{1, 1, 1})
+    throw UserError(Failure::usage,
+                    fmt::format("{}: the mesh is in free space, where there are no cells to repeat; "
+                                "give --periodic or --cell",
+                                path.string()));
+  if (!surface.cell) return surface;
+  try {
+    surface.mesh = in_cell(surface.mesh, *surface.cell, options.cell, surface.repairs);
+  } catch (const UserError& error) {
+    throw UserError(error.failure(), fmt::format("{}: {}", path.string(), error.what()));
+  }
+  return surface;
 }
 
 }  // namespace nanocarbon::mesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct LoadedSurface {
   MeshDiagnosis diagnosis;            //!< of the mesh before it was sewn in its cell, if it has one
   std::size_t vertices_read = 0;      //!< of the file as it is
   std::size_t faces_read = 0;
+  std::optional<Cell> cell = {};  //!< that the request or the file says the mesh is in
 };
 
 struct LoadOptions {
@@ -30,12 +32,12 @@ struct LoadOptions {
 };
 
 //! \brief Reads a mesh file and repairs what can be mended; what cannot is in the diagnosis, and the mesh is
-//! then not fit for use. A mesh without such faults is sewn in its cell, if it has one.
-//! \throw UserError (unreadable, malformed) as read_mesh(), (usage, unsuitable) as requested_cell() and in_cell()
+//! then not fit for use. It is not sewn in its cell.
+//! \throw UserError (unreadable, malformed) as read_mesh(), (usage) as requested_cell()
 LoadedSurface examine_surface(const std::filesystem::path& path, const CellRequest& cell = {});
 
-//! \brief The same, for use.
-//! \throw UserError also (unsuitable) with every reason against it
+//! \brief The same, for use: sewn in its cell, if it has one.
+//! \throw UserError also (unsuitable) with every reason against it, or as in_cell()
 LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions& options = {});
 
 }  // namespace nanocarbon::mesh
