@@ -10,6 +10,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "number_checks.h"
+#include "potential_option.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -99,11 +100,9 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
        {"hauck2015", building::Recipe::hauck2015}},
       "annealed (default; needs no parameters), thesis (adaptive remeshing, then the dual), or the thesis's "
       "forerunners pecanha2013, hauck2014, hauck2015");
-  add_choice(*group, "--potential", c.build.potential,
-             {{"rebo2", building::PotentialChoice::rebo2},
-              {"airebo", building::PotentialChoice::airebo},
-              {"airebo-m", building::PotentialChoice::airebo_m}},
-             "Potential of the last minimisation and the checks: rebo2 (default), airebo or airebo-m");
+  add_potential_option(
+      *group, c.build.potential,
+      "Potential of the last minimisation and the checks: rebo2 (default), airebo or airebo-m");
   add_choice(*group, "--quality", c.build.quality,
              {{"draft", Quality::draft}, {"good", Quality::good}, {"best", Quality::best}},
              "Time spent on low energy: draft, good (default) or best");

@@ -10,8 +10,8 @@
 
 #include "molecule_input.h"
 #include "nanocarbon/core/output_file.h"
-#include "nanocarbon/potential/rebo2/parameter_file.h"
-#include "nanocarbon/potential/rebo2/rebo2.h"
+#include "nanocarbon/potential/potential.h"
+#include "potential_option.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -20,14 +20,15 @@ using Json = nlohmann::ordered_json;
 
 struct EnergyCommand {
   MoleculeInput input;
-  std::string potential;
+  building::PotentialChoice potential = building::PotentialChoice::rebo2;
+  std::string parameters;  // file
   std::string forces;
   bool parts = false;
   bool json = false;
 };
 
 void write_forces(const std::string& path, const molecule::MoleculeFrame& structure,
-                  const rebo2::Rebo2Result& result) {
+                  const potential::Evaluation& result) {
   const Molecule& m = structure.molecule;
   write_file(path, [&](std::ostream& out) {
     std::string header;
@@ -56,80 +57,89 @@ struct Summary {
   double largest_force;
 };
 
-Summary summarise(const Molecule& m, const rebo2::Rebo2Result& result) {
+Summary summarise(const Molecule& m, const potential::Evaluation& result) {
   Summary summary = {m.size(), 0, 0.0};
   for (const Element element : m.elements) summary.carbons += element == Element::carbon;
   for (const Vec3& f : result.forces) summary.largest_force = std::max(summary.largest_force, f.norm());
   return summary;
 }
 
-void print_json(const EnergyCommand& command, const Summary& s, const rebo2::Rebo2Result& result) {
+void print_json(const EnergyCommand& command, const Summary& s, const potential::Potential& potential,
+                const potential::Evaluation& result) {
   Json json = {{"file", command.input.file},
                {"atoms", s.atoms},
                {"carbons", s.carbons},
                {"hydrogens", s.atoms - s.carbons},
+               {"potential", potential.name()},
                {"energy", result.energy},
                {"energy_per_atom", result.energy / static_cast<double>(s.atoms)},
                {"largest_force", s.largest_force}};
   const Mat3& v = result.virial;
   json["virial"] = {v(0, 0), v(1, 1), v(2, 2), v(0, 1), v(0, 2), v(1, 2)};
   if (command.parts)
-    json["parts"] = {{"repulsive", result.parts.repulsive},
-                     {"sigma_pi", result.parts.sigma_pi},
-                     {"conjugation", result.parts.conjugation},
-                     {"dihedral", result.parts.dihedral}};
+    for (const potential::EnergyPart& part : potential.parts())
+      json["parts"][std::string(part.name)] = part.energy;
   fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(const EnergyCommand& command, const Summary& s, const rebo2::Rebo2Result& result) {
+void print_text(const EnergyCommand& command, const Summary& s, const potential::Potential& potential,
+                const potential::Evaluation& result) {
   const auto energy_line = [&](std::string_view name, double energy) {
     fmt::print("  {:<16}{:>20.9f} eV {:>16.9f} eV/atom\n", name, energy,
                energy / static_cast<double>(s.atoms));
   };
-  fmt::print("{}: {} atoms, {} carbon and {} hydrogen\n", command.input.file, s.atoms, s.carbons,
-             s.atoms - s.carbons);
+  fmt::print("{}: {} atoms, {} carbon and {} hydrogen, by {}\n", command.input.file, s.atoms, s.carbons,
+             s.atoms - s.carbons, potential.name());
   energy_line("energy", result.energy);
-  if (command.parts) {
-    energy_line("repulsive", result.parts.repulsive);
-    energy_line("sigma-pi", result.parts.sigma_pi);
-    energy_line("conjugation", result.parts.conjugation);
-    energy_line("dihedral", result.parts.dihedral);
-  }
+  if (command.parts)
+    for (const potential::EnergyPart& part : potential.parts()) {
+      std::string name(part.name);
+      std::replace(name.begin(), name.end(), '_', '-');
+      energy_line(name, part.energy);
+    }
   fmt::print("  {:<16}{:>20.3g} eV/Angstrom\n", "largest force", s.largest_force);
 }
 
 void run(const EnergyCommand& command) {
   const molecule::MoleculeFrame structure = read_molecule(command.input);
   const Molecule& m = structure.molecule;
-  rebo2::Rebo2 rebo2(command.potential.empty() ? rebo2::rebo2_parameters()
-                                               : rebo2::read_rebo2_parameters(command.potential));
-  const rebo2::Rebo2Result& result =
-      rebo2.evaluate(m.positions, m.elements, m.cell ? &*m.cell : nullptr, {.atom_energies = true});
+  const std::unique_ptr<potential::Potential> potential =
+      command.parameters.empty() ? building::make_potential(command.potential)
+                                 : building::make_potential(command.potential, command.parameters);
+  const potential::Evaluation& result = potential->evaluate(
+      m.positions, m.elements, m.cell ? &*m.cell : nullptr, {.atom_energies = !command.forces.empty()});
   if (!command.forces.empty()) write_forces(command.forces, structure, result);
   const Summary summary = summarise(m, result);
   if (command.json)
-    print_json(command, summary, result);
+    print_json(command, summary, *potential, result);
   else
-    print_text(command, summary, result);
+    print_text(command, summary, *potential, result);
 }
 
 }  // namespace
 
 void add_energy(CLI::App& app) {
-  CLI::App& sub = *app.add_subcommand("energy", "Evaluate REBO2 for a structure: energy, its parts, forces");
+  CLI::App& sub =
+      *app.add_subcommand("energy", "Evaluate a structure by REBO2 or AIREBO: energy, its parts, forces");
   const auto command = std::make_shared<EnergyCommand>();
   add_molecule_input(sub, command->input);
   add_frame_option(sub, command->input);
   sub.add_option("--forces", command->forces,
                  "Write forces and energies of the atoms to this extended XYZ file (eV/Angstrom, eV)");
-  sub.add_flag("--parts", command->parts, "Also the repulsive, sigma-pi, conjugation and dihedral parts");
+  sub.add_flag("--parts", command->parts,
+               "Also the parts: of REBO2 repulsive, sigma-pi, conjugation and dihedral; of AIREBO rebo, "
+               "lennard-jones (of AIREBO-M morse) and torsion");
   sub.add_flag("--json", command->json, "Print JSON; virial as xx, yy, zz, xy, xz, yz in eV");
-  sub.add_option("--potential", command->potential,
-                 "Parameters from a file in the format of LAMMPS's CH.rebo");
-  sub.footer(R"(The energy is that of LAMMPS's pair_style rebo, in eV.
+  add_potential_option(sub, command->potential, "Potential: rebo2 (default), airebo or airebo-m");
+  sub.add_option("--parameters", command->parameters,
+                 "Parameters from a file in the format of LAMMPS's CH.rebo, CH.airebo or CH.airebo-m, "
+                 "whichever goes with the potential")
+      ->type_name("FILE");
+  sub.footer(R"(Energies, in eV, are those of LAMMPS's pair_style rebo, airebo 3.0 and airebo/morse 3.0.
 Examples:
   nanocarbon energy bunny.data
   nanocarbon energy relaxed.xyz --parts --json
+  nanocarbon energy onion.data --potential airebo --parts
   nanocarbon energy bilayer.data --types C C
   nanocarbon energy run.lammpstrj.gz --frame -1
   nanocarbon energy sheet.data --boundary "p p f" --forces forces.xyz)");

@@ -66,6 +66,78 @@ TEST(Energy, WritesForcesThatAddUpToNothing) {
   for (const double s : sum) EXPECT_NEAR(s, 0.0, 1e-10);
 }
 
+// Ethane as LAMMPS has it (the structure of that name in reference.json).
+std::string ethane() {
+  const json all = json::parse(std::ifstream(NANOCARBON_AIREBO_REFERENCE));
+  const std::string path = scratch("ethane.xyz");
+  std::ofstream file(path);
+  file.precision(17);
+  for (const json& structure : all) {
+    if (structure["name"] != "ethane") continue;
+    file << structure["elements"].get<std::string>().size() << "\n\n";
+    for (std::size_t i = 0; i < structure["elements"].get<std::string>().size(); ++i)
+      file << structure["elements"].get<std::string>()[i] << " " << structure["positions"][3 * i] << " "
+           << structure["positions"][3 * i + 1] << " " << structure["positions"][3 * i + 2] << "\n";
+  }
+  return path;
+}
+
+TEST(Energy, OfAireboAndItsPartsAreThoseOfLammps) {
+  const std::string file = ethane();
+  const json all = json::parse(std::ifstream(NANOCARBON_AIREBO_REFERENCE));
+  for (const auto& [potential, style, long_range] :
+       {std::tuple("airebo", "airebo 3.0", "lennard_jones"), {"airebo-m", "airebo/morse 3.0", "morse"}}) {
+    const json lammps =
+        *std::find_if(all.begin(), all.end(), [](const json& s) { return s["name"] == "ethane"; });
+    const json& expected = lammps["styles"][style];
+    const json found =
+        json::parse(run("energy " + file + " --json --parts --potential " + std::string(potential)).output);
+    EXPECT_EQ(found["potential"], potential);
+    EXPECT_NEAR(found["parts"]["rebo"], expected["rebo"], 1e-9);
+    EXPECT_NEAR(found["parts"][long_range], expected["lj"], 1e-9);
+    EXPECT_NEAR(found["parts"]["torsion"], expected["torsion"], 1e-9);
+    EXPECT_NEAR(found["energy"], expected["energy"], 1e-9);
+  }
+  EXPECT_THAT(run("energy " + file + " --parts --potential airebo").output, HasSubstr("lennard-jones"));
+}
+
+TEST(Energy, WithForcesIsTheSame) {
+  const std::string file = ethane(), forces = scratch("ethane-forces.xyz");
+  const json plain = json::parse(run("energy " + file + " --json --potential airebo").output);
+  const json with =
+      json::parse(run("energy " + file + " --json --potential airebo --forces " + forces).output);
+  EXPECT_NEAR(plain["energy"], with["energy"], 1e-10);
+  std::ifstream written(forces);
+  std::string line;
+  std::getline(written, line);
+  std::getline(written, line);
+  double sum = 0.0;
+  while (std::getline(written, line)) sum += std::stod(line.substr(line.rfind(' ')));
+  EXPECT_NEAR(sum, plain["energy"], 1e-9);
+}
+
+TEST(Energy, TakesParametersFromTheFileOfThePotential) {
+  if (!std::filesystem::exists(NANOCARBON_CH_REBO)) GTEST_SKIP() << "no CH.rebo of LAMMPS here";
+  const std::filesystem::path folder = std::filesystem::path(NANOCARBON_CH_REBO).parent_path();
+  const std::string file = ethane();
+  for (const auto& [potential, name] :
+       {std::pair("rebo2", "CH.rebo"), {"airebo", "CH.airebo"}, {"airebo-m", "CH.airebo-m"}}) {
+    const std::string command = "energy " + file + " --json --potential " + std::string(potential);
+    const test::ProgramOutcome given = run(command + " --parameters " + (folder / name).string());
+    ASSERT_EQ(given.exit_code, 0) << given.output;
+    EXPECT_NEAR(json::parse(given.output)["energy"], json::parse(run(command).output)["energy"], 1e-7);
+  }
+  const std::string rebo = " --parameters " + (folder / "CH.rebo").string();
+  const test::ProgramOutcome wrong = run("energy " + file + " --potential airebo" + rebo);
+  EXPECT_EQ(wrong.exit_code, 4);
+  EXPECT_THAT(wrong.output, HasSubstr("CH.rebo, line 2: this is a file of REBO2, not of AIREBO"));
+  EXPECT_EQ(run("energy " + file + " --parameters nowhere").exit_code, 3);
+  const test::ProgramOutcome former = run("energy " + file + " --potential " + (folder / "CH.rebo").string());
+  EXPECT_EQ(former.exit_code, 2);
+  EXPECT_THAT(former.output, HasSubstr("a file goes to --parameters FILE"));
+  EXPECT_EQ(run("energy " + file + " --potential AIREBO").exit_code, 2);
+}
+
 TEST(Energy, SaysWhatIsWrongAndExitsWithItsCode) {
   EXPECT_EQ(run("energy molecule.pdb").exit_code, 3);
   EXPECT_THAT(run("energy molecule.pdb").output, HasSubstr("molecule.pdb: cannot be read"));

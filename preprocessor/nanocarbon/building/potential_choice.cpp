@@ -2,6 +2,8 @@
 #include "nanocarbon/building/potential_choice.h"
 
 #include "nanocarbon/potential/airebo/airebo.h"
+#include "nanocarbon/potential/airebo/parameter_file.h"
+#include "nanocarbon/potential/rebo2/parameter_file.h"
 #include "nanocarbon/potential/rebo2/rebo2.h"
 
 namespace nanocarbon::building {
@@ -28,6 +30,21 @@ std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice) {
       break;
   }
   return std::make_unique<rebo2::Rebo2>();
+}
+
+std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice,
+                                                     const std::filesystem::path& parameters) {
+  switch (choice) {
+    case PotentialChoice::airebo:
+      return std::make_unique<airebo::Airebo>(
+          airebo::read_airebo_parameters(parameters, airebo::LjForm::lennard_jones));
+    case PotentialChoice::airebo_m:
+      return std::make_unique<airebo::Airebo>(
+          airebo::read_airebo_parameters(parameters, airebo::LjForm::morse));
+    case PotentialChoice::rebo2:
+      break;
+  }
+  return std::make_unique<rebo2::Rebo2>(rebo2::read_rebo2_parameters(parameters));
 }
 
 }  // namespace nanocarbon::building

@@ -2,6 +2,7 @@
 // Which potential a molecule is minimised, checked and certified with.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string_view>
 
@@ -20,5 +21,10 @@ std::string_view name(PotentialChoice choice);
 
 //! A potential with its published parameters.
 std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice);
+
+//! \brief A potential with parameters from a file in the format of LAMMPS's CH.rebo, CH.airebo or CH.airebo-m.
+//! \throw UserError (unreadable, malformed), also where the file is one of another potential
+std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice,
+                                                     const std::filesystem::path& parameters);
 
 }  // namespace nanocarbon::building

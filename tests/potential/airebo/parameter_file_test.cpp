@@ -119,10 +119,10 @@ TEST_F(AireboFiles, GiveTheirNumbersInOrder) {
 TEST_F(AireboFiles, OfTheOtherFormAreRefused) {
   const auto lj = write("# 1\n# AIREBO of nobody\n" + labelled_lines(65) + splines());
   EXPECT_THAT(refusal(Failure::malformed, [&] { read_airebo_parameters(lj, LjForm::morse); }),
-              HasSubstr("line 2: expected '# AIREBO-M'"));
+              HasSubstr("line 2: this is a file of AIREBO, not of AIREBO-M"));
   const auto morse = write("# 1\n# AIREBO-M of nobody\n" + labelled_lines(74) + splines());
   EXPECT_THAT(refusal(Failure::malformed, [&] { read_airebo_parameters(morse, LjForm::lennard_jones); }),
-              HasSubstr("line 2: expected '# AIREBO'"));
+              HasSubstr("line 2: this is a file of AIREBO-M, not of AIREBO,"));
 }
 
 TEST_F(AireboFiles, ThatEndEarlyAreRefused) {

@@ -31,7 +31,8 @@ Pieces pieces_of(const TriangleMesh& mesh) {
       pieces.areas.push_back(0.0);
     }
     pieces.of_face.push_back(name);
-    pieces.areas[name] += 0.5 * area_normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]).norm();
+    const auto [a, b, c] = corners_in_cell(mesh, t);
+    pieces.areas[name] += 0.5 * area_normal(a, b, c).norm();
   }
   return pieces;
 }

@@ -35,8 +35,12 @@ void PotentialFile::require_header(const std::string& model, const char* example
   std::getline(file_, first);
   std::getline(file_, second);
   line_ = 2;
-  if (second.find("# " + model + " ") == std::string::npos)
-    fail("expected '# " + model + "' in the second line, as LAMMPS's " + example + " has it");
+  if (second.find("# " + model + " ") != std::string::npos) return;
+  for (const char* other : {"REBO2", "AIREBO", "AIREBO-M"})
+    if (second.find(std::string("# ") + other + " ") != std::string::npos)
+      fail(std::string("this is a file of ") + other + ", not of " + model + ", whose second line has '# " +
+           model + "', as that of LAMMPS's " + example);
+  fail("expected '# " + model + "' in the second line, as LAMMPS's " + example + " has it");
 }
 
 double PotentialFile::labelled(const char* name) {
