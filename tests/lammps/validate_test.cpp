@@ -15,6 +15,7 @@
 namespace nanocarbon {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -33,9 +34,7 @@ test::ScriptResult validate(const Molecule& molecule, bool comments, const std::
       "cat > molecule.data <<'end of data'\n" + data_file(molecule, comments) + "end of data\n";
   return test::run_script(
       NANOCARBON_HOST_PROGRAM, "include " NANOCARBON_EXAMPLES "/validate.in\n", write_data,
-      "-var data molecule.data -var steps 20 -var pixels 0 -var plugin " NANOCARBON_PLUGIN_FILE
-      " -var pair rebo/opt " +
-          more);
+      "-var data molecule.data -var steps 20 -var pixels 0 -var plugin " NANOCARBON_PLUGIN_FILE " " + more);
 }
 
 TEST(Validate, AMoleculeIsInFreeSpace) {
@@ -61,6 +60,36 @@ TEST(Validate, ASheetIsPeriodicWhereTheCommandLineSaysSo) {
   const test::ScriptResult result = validate(structures::graphene(4, 3), false, "-var boundary 'p p f'");
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_THAT(result.output, HasSubstr("orientable, genus 1, 0 boundary loops"));
+}
+
+TEST(Validate, TakesEveryPairStyleAndFindsItsFile) {
+  for (const auto& [pair, file] : {std::pair("rebo", "CH.rebo"),
+                                   {"rebo/opt", "CH.rebo"},
+                                   {"airebo", "CH.airebo"},
+                                   {"airebo/opt", "CH.airebo"},
+                                   {"airebo/morse", "CH.airebo-m"},
+                                   {"airebo/morse/opt", "CH.airebo-m"}}) {
+    SCOPED_TRACE(pair);
+    const test::ScriptResult result =
+        validate(structures::fullerene(1, 1), true, std::string("-var pair ") + pair + " -echo screen");
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    EXPECT_THAT(result.output, ContainsRegex(std::string("pair_coeff .*/") + file + " C\n"));
+    EXPECT_THAT(result.output, HasSubstr("verdict: intact, 0 atoms repelled"));
+  }
+}
+
+TEST(Validate, TakesAParameterFile) {
+  const std::string copy = "-var potential copy-of.CH.rebo ";
+  EXPECT_THAT(validate(structures::fullerene(1, 1), true, copy).output, HasSubstr("cannot open"));
+  const test::ScriptResult result =
+      validate(structures::fullerene(1, 1), true, "-var pair rebo -var potential " NANOCARBON_CH_REBO);
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+}
+
+TEST(Validate, SaysWhichPairStylesThereAre) {
+  const test::ScriptResult result = validate(structures::fullerene(1, 1), true, "-var pair tersoff");
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_THAT(result.output, HasSubstr("pair is tersoff, but must be rebo, airebo"));
 }
 
 }  // namespace

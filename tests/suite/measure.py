@@ -8,6 +8,10 @@ import re
 import subprocess
 
 MOST_ADVICE = 4  # pieces of advice that are followed for a mesh
+# What a pair style is called without /opt, the potential's name in nanocarbon, and its file.
+STYLES = {"rebo": ("rebo", "rebo2", "CH.rebo"), "airebo": ("airebo 3.0", "airebo", "CH.airebo"),
+          "airebo/morse": ("airebo/morse 3.0", "airebo-m", "CH.airebo-m")}
+
 TOO_FEW_ATOMS = (6, 8)  # exit codes: the size does not fit the shape; no good result was reached
 
 # Minimised as fully as LAMMPS can: conjugate gradients, then FIRE.
@@ -19,7 +23,7 @@ read_data {data}
 special_bonds lj/coul 1.0 1.0 1.0
 mass 1 12.011
 {hydrogen}
-pair_style rebo
+pair_style {style}
 pair_coeff * * {potential} {elements}
 compute coordination all coord/atom cutoff 2.0
 compute fewest all reduce min c_coordination
@@ -31,6 +35,16 @@ min_style fire
 minimize 0 1e-4 100 1000
 print "suite: $(pe:%.10f) $(atoms) $(c_fewest:%.0f) $(c_most:%.0f)"
 """
+
+
+def style_of(args):
+    return STYLES[args.pair.removesuffix("/opt")]
+
+
+def potential_of(args):
+    """The option of nanocarbon build that goes with the pair style, where it is not the default and none was given."""
+    name = style_of(args)[1]
+    return [] if name == "rebo2" or "--potential" in args.options else ["--potential", name]
 
 
 def run(args, command, screen):
@@ -60,9 +74,10 @@ def verdict_of_run(args, data, prefix, temperature):
 
 def lammps_energy(args, data, prefix, row, energy_per_atom):
     """Adds how far LAMMPS's minimum lies from the program's."""
-    potential = pathlib.Path("/usr/share/lammps/potentials/CH.rebo")
+    style, _, file = style_of(args)
+    potential = pathlib.Path("/usr/share/lammps/potentials") / file
     hydrogen = re.search(r"^\s*2 atom types", data.read_text(), re.M)
-    script = MINIMISATION.format(data=data, potential=potential if potential.exists() else "CH.rebo",
+    script = MINIMISATION.format(data=data, style=style, potential=potential if potential.exists() else file,
                                  hydrogen="mass 2 1.008" if hydrogen else "", elements="C H" if hydrogen else "C")
     source, screen = pathlib.Path(f"{prefix}-minimum.in"), pathlib.Path(f"{prefix}-minimum.screen")
     source.write_text(script)
@@ -101,7 +116,7 @@ def build(args, mesh, prefix, atoms, options):
     """On one core: exit code, CPU seconds, and what the program said."""
     screen = pathlib.Path(f"{prefix}.build")
     code, seconds = run(args, [args.build / "preprocessor/cli/nanocarbon", "build", mesh, "-o", f"{prefix}.data",
-                               "--quiet", "--threads", "1", "--report", f"{prefix}.json", "--atoms", atoms, *options], screen)
+                               "--quiet", "--threads", "1", "--report", f"{prefix}.json", "--atoms", atoms, *potential_of(args), *options], screen)
     said = screen.read_text(errors="replace").strip()
     first = next((line for line in said.splitlines() if line.startswith("nanocarbon: ")), "no message")
     reason = said[said.index(first):].replace("\n  - ", " ") if said else "no message"

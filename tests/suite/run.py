@@ -5,7 +5,7 @@
     tests/suite/run.py FOLDER [--atoms N] [--jobs J] [--out OUT] [-- BUILD OPTIONS...]
 
 Each molecule runs for STEPS steps of 1 fs from rest, and as many more under a Langevin thermostat at 600 K, watched by
-fix bond/topology. Writes OUT/suite.tsv and OUT/suite.md (which is also printed); data files, reports, logs and
+fix bond/topology. With --pair airebo or airebo/morse (or their /opt) the molecules are built with that potential, too. Writes OUT/suite.tsv and OUT/suite.md (which is also printed); data files, reports, logs and
 pictures stay in OUT. Meshes that the program refuses stand in the table with its reason, and with --follow-refusals
 they are built again at the size that it says would do; with --follow-advice also with the options that it names, one
 after the other, so that the table shows whether what it says is true. A run that was cut short goes on with --resume.
@@ -18,7 +18,7 @@ import os
 import pathlib
 import sys
 
-from measure import row_of
+from measure import STYLES, row_of
 from table import write_tables
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -33,7 +33,8 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=1, help="meshes at a time")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/suite"))
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release", help="the build folder")
-    parser.add_argument("--pair", default="rebo/opt", help="pair style of the runs: rebo or rebo/opt")
+    parser.add_argument("--pair", default="rebo/opt", choices=[*STYLES, *(style + "/opt" for style in STYLES)],
+                        help="pair style of the runs; molecules are built with the potential that goes with it")
     parser.add_argument("--only", default="", help="only meshes whose name holds one of these, separated by commas")
     parser.add_argument("--resume", action="store_true", help="keep rows that OUT has of the same request")
     parser.add_argument("--follow-refusals", action="store_true", help="build refused shapes at the size named")
@@ -41,7 +42,7 @@ def arguments():
                         help="build refused shapes with whatever size and options the program names")
     parser.add_argument("--largest", type=int, default=40000, help="do not follow to more atoms than this")
     parser.add_argument("--lammps-energy", action="store_true",
-                        help="minimise with LAMMPS's pair_style rebo, too, and compare energies")
+                        help="minimise with LAMMPS's own pair style, too, and compare energies")
     parser.add_argument("--launcher", default="", help="command to put before every program, as 'nice -n 5'")
     words = sys.argv[1:]
     cut = words.index("--") if "--" in words else len(words)
