@@ -10,6 +10,7 @@ void add_make(CLI::App& app);
 
 //! Its parts, one subcommand for each structure; `make mesh` has one for each shape.
 void add_make_graphene(CLI::App& make);
+void add_make_graphite(CLI::App& make);
 void add_make_tube(CLI::App& make);
 void add_make_fullerene(CLI::App& make);
 void add_make_onion(CLI::App& make);

@@ -4,20 +4,26 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 
 #include "command_text.h"
+#include "nanocarbon/core/error.h"
 #include "nanocarbon/core/version.h"
 #include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/molecule/bond_statistics.h"
 #include "nanocarbon/molecule/formats/atom_style.h"
 #include "nanocarbon/molecule/formats/write_molecule.h"
+#include "nanocarbon/topology/bond_graph.h"
 #include "number_checks.h"
 
 namespace nanocarbon::cli {
 namespace {
+
+// Layers and tubes are held by little: 0.2 eV/Angstrom^2 an atom. With this they are within 0.001 Angstrom.
+constexpr double relaxed_force = 1e-4;  // eV/Angstrom
 
 std::string ring_counts(const Molecule& molecule) {
   std::map<std::size_t, std::size_t> counts;
@@ -53,6 +59,22 @@ void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output) {
       ->check(zero_or_more())
       ->capture_default_str();
   subcommand.add_flag("-q,--quiet", output.quiet, "Print nothing but errors");
+}
+
+void relax(Molecule& structure, building::PotentialChoice choice, const minimisation::FreeEdges& edges,
+           const MoleculeOutput& output) {
+  const std::unique_ptr<potential::Potential> potential = building::make_potential(choice);
+  const minimisation::MinimisationResult relaxed =
+      minimisation::relax_structure(structure, *potential, edges, {.force_tolerance = relaxed_force});
+  const std::vector<Bond> bonds = topology::bonds_within(structure.positions, structure.elements,
+                                                         structure.cell ? &*structure.cell : nullptr);
+  if (!relaxed.converged || bonds.size() != structure.bonds.size())
+    throw UserError(
+        Failure::failed,
+        fmt::format("the structure does not come to rest under {} as it was made", building::name(choice)));
+  if (!output.quiet)
+    fmt::print("relaxed by {}: {:.6f} eV for each atom\n", building::name(choice),
+               relaxed.energy / static_cast<double>(structure.size()));
 }
 
 void write_molecule(const MoleculeOutput& output, const Molecule& molecule, const CLI::App& subcommand) {

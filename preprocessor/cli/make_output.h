@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <string>
 
+#include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
+#include "nanocarbon/minimisation/relax_structure.h"
 #include "nanocarbon/molecule/molecule.h"
 
 namespace nanocarbon::cli {
@@ -19,6 +21,11 @@ struct MoleculeOutput {
 };
 //! The options of an output; another extension is an error on the command line.
 void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output);
+
+//! \brief Brings a structure to a minimum of a potential, and says what it has become on the terminal.
+//! \throw UserError (failed) where it is not reached, or bonds are not those they were
+void relax(Molecule& structure, building::PotentialChoice potential, const minimisation::FreeEdges& edges,
+           const MoleculeOutput& output);
 
 //! Writes it in the format of the path's extension, and a line about it to the terminal.
 void write_molecule(const MoleculeOutput& output, const Molecule& molecule, const CLI::App& subcommand);

@@ -16,6 +16,7 @@
 #include "nanocarbon/structures/onion.h"
 #include "nanocarbon/structures/schwarzite.h"
 #include "number_checks.h"
+#include "potential_option.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -106,6 +107,7 @@ Examples:
 void add_make_onion(CLI::App& make) {
   struct Command {
     int shells = 3, innermost = 1;
+    building::PotentialChoice potential = building::PotentialChoice::airebo;
     MoleculeOutput output;
   };
   CLI::App& sub = *make.add_subcommand("onion", "Icosahedral fullerenes (k, k) around each other");
@@ -118,12 +120,19 @@ void add_make_onion(CLI::App& make) {
       ->transform(whole_number())
       ->check(between(1, 400))
       ->capture_default_str();
+  add_potential_option(sub, c->potential,
+                       "Potential to relax it by: airebo (default) or airebo-m; rebo2: as it is built, near "
+                       "equilibrium under REBO2");
   add_molecule_output(sub, c->output);
   sub.footer(
-      R"(Shells are about 3.5 Angstrom apart and not bonded. REBO2 has no attraction between them; AIREBO has.
+      R"(Shells are about 3.5 Angstrom apart, not bonded, and relaxed by AIREBO, which attracts them to each other.
 Example:
   nanocarbon make onion --shells 4 -o onion.data)");
-  sub.callback([c, &sub] { write_molecule(c->output, structures::onion(c->innermost, c->shells), sub); });
+  sub.callback([c, &sub] {
+    Molecule onion = structures::onion(c->innermost, c->shells);
+    if (c->potential != building::PotentialChoice::rebo2) relax(onion, c->potential, {}, c->output);
+    write_molecule(c->output, onion, sub);
+  });
 }
 
 void add_make_diamond(CLI::App& make) {

@@ -40,6 +40,11 @@ const Case cases[] = {
     {"fullerene 2 1", 140, 210},
     {"fullerene 4 4", 960, 1440},
     {"onion --shells 2", 300, 450},
+    {"onion --shells 2 --potential rebo2", 300, 450},
+    {"graphite --cells 2 3 --layers 4", 96, 144},
+    {"graphite --cells 2 2 --layers 3 --slab --potential airebo-m", 48, 72},
+    {"tube 5 5 --length 4.9 --periodic --bundle 3", 120, 180},
+    {"tube 5 5 --length 2.5 --periodic --bundle-cells 2 1 --potential airebo-m", 80, 120},
     {"diamond --cells 2", 64, 128},
     {"schwarzite p688 --cells 1 1 2", 96, 144},
     {"schwarzite d688 --cells 2", 192, 288},
@@ -59,6 +64,19 @@ TEST(Make, StructuresHaveTheirAtomsAndBonds) {
     ASSERT_EQ(make(c.command + " --quiet -o " + (folder / "a.xyz").string()).output, "");
     EXPECT_EQ(molecule::read_molecule(folder / "a.xyz").molecule.size(), c.atoms);
   }
+}
+
+TEST(Make, WhatIsNotHeldTogetherByRebo2IsRefused) {
+  const test::TemporaryFolder folder;
+  const std::string output = " -o " + (folder / "a.data").string();
+  for (const std::string what : {"graphite", "tube 5 5 --bundle 7"}) {
+    const ProgramOutcome outcome = make(what + " --potential rebo2" + output);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.output, HasSubstr("take --potential airebo or airebo-m"));
+  }
+  EXPECT_THAT(make("graphite --layers 3" + output).output, HasSubstr("3 layers AB do not repeat along z"));
+  EXPECT_EQ(make("tube 5 5 --potential airebo" + output).exit_code, 2);
+  EXPECT_EQ(make("tube 5 5 --bundle 7 --bundle-cells 1 1" + output).exit_code, 2);
 }
 
 TEST(Make, FilesSayHowTheyWereMade) {
