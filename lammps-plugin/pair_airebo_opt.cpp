@@ -136,10 +136,6 @@ AireboEnergyParts PairAireboOpt::evaluate_fast(bool energy) {
 
 void PairAireboOpt::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  if (vflag_atom)
-    error->all(FLERR,
-               "Pair style " + style_ +
-                   " does not share the virial among atoms as airebo does: for per-atom stress take airebo");
   std::fill_n(pvector, 3, 0.0);
   const Lists lists = update_near();
   if (atoms().all > 0) {

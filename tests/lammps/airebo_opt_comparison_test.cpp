@@ -27,8 +27,23 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return largest;
 }
 
+//! Atoms whose virials differ by more than a tolerance.
+std::size_t different_virials(const std::vector<Mat3>& a, const std::vector<Mat3>& b, double tolerance) {
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) different += (a[i] - b[i]).cwiseAbs().maxCoeff() > tolerance;
+  return different;
+}
+
+//! Whether rings of three atoms with a fractional bond may be there: two paths are equally good then, and which
+//! of their atoms get the virial depends on the order of neighbours.
+bool may_have_equal_paths(const std::string& name) {
+  return name.find("rattled") ==
+         std::string::npos;  // molecules and soup are; random crystals and clusters not
+}
+
 //! \param tolerance of forces below 100 eV/Angstrom
-void expect_same(const LammpsEnergy& ours, const LammpsEnergy& theirs, double tolerance) {
+void expect_same(const LammpsEnergy& ours, const LammpsEnergy& theirs, double tolerance,
+                 bool equal_paths = true) {
   double largest = 100.0;
   for (const Vec3& f : theirs.forces) largest = std::max(largest, f.norm());
   const double scale = tolerance * largest / 100.0;
@@ -37,6 +52,9 @@ void expect_same(const LammpsEnergy& ours, const LammpsEnergy& theirs, double to
     EXPECT_NEAR(ours.parts[part], theirs.parts[part], (tolerance > 5e-8 ? 1e-8 : 1e-10) * total) << part;
   EXPECT_LT(largest_difference(ours.forces, theirs.forces), scale);
   EXPECT_LT(largest_difference(ours.atom_energies, theirs.atom_energies), scale);
+  if (!ours.atom_virials.empty() && !theirs.atom_virials.empty())
+    EXPECT_LE(different_virials(ours.atom_virials, theirs.atom_virials, 10.0 * scale),
+              equal_paths ? theirs.atom_virials.size() / 3 : 0);
   EXPECT_LT((ours.virial - theirs.virial).cwiseAbs().maxCoeff(),
             10.0 * scale * std::sqrt(static_cast<double>(theirs.forces.size())));
 }
@@ -55,25 +73,27 @@ LammpsEnergy library_energy(const std::string& style, const Molecule& m) {
 std::string opt(std::string style) { return style.insert(std::min(style.find(' '), style.size()), "/opt"); }
 
 //! \param with_shares also compares energies and virials of single atoms, which both do the slow way
-void compare(LammpsReference& lammps, const std::string& style, const Molecule& m, bool with_shares) {
+void compare(LammpsReference& lammps, const std::string& style, const Molecule& m, bool with_shares,
+             bool equal_paths = true) {
   SCOPED_TRACE(style);
   const LammpsEnergy theirs = lammps_energy(lammps, style, m.positions, m.elements, cell_of(m));
   const double tolerance = airebo_force_tolerance(m);
   {
     SCOPED_TRACE("the library");
-    expect_same(library_energy(style, m), theirs, tolerance);
+    expect_same(library_energy(style, m), theirs, tolerance, equal_paths);
   }
   SCOPED_TRACE("the plugin");
   lammps.place(m.positions, m.elements, cell_of(m));
   lammps.potential(opt(style));
   if (with_shares) {
-    expect_same(lammps.evaluate(false), theirs, tolerance);
+    expect_same(lammps.evaluate(), theirs, tolerance, equal_paths);
     lammps.place(m.positions, m.elements, cell_of(m));
     lammps.potential(opt(style));
   }
   // Nothing of single atoms, so that the fast loops are at work.
   LammpsEnergy ours = lammps.evaluate(false, false);
   ours.atom_energies = theirs.atom_energies;
+  ours.atom_virials.clear();
   expect_same(ours, theirs, tolerance);
 }
 
@@ -83,7 +103,8 @@ TEST(AireboOpt, AgreesWithAireboInPartsForcesVirialAndTheSharesOfAtoms) {
   for (const auto& [name, m] : airebo_structures()) {
     SCOPED_TRACE(name);
     const bool with_shares = n < 80 || n % 5 == 0;
-    compare(lammps, n++ % 2 == 0 ? "airebo 3.0" : "airebo/morse 3.0", m, with_shares);
+    compare(lammps, n++ % 2 == 0 ? "airebo 3.0" : "airebo/morse 3.0", m, with_shares,
+            may_have_equal_paths(name));
   }
 }
 

@@ -36,8 +36,9 @@ class Airebo final : public potential::Potential {
   Airebo& operator=(Airebo&&) noexcept;
 
   std::string_view name() const override;
-  //! \details Energies and virials of single atoms come from the general evaluation, which is slower. Virials of
-  //! atoms add up to the whole, but are not shared among atoms as LAMMPS shares them.
+  //! \details Energies and virials of single atoms come from the general evaluation, which is slower. They are
+  //! shared as LAMMPS shares them, but for the virial of paths where two are equally good: which atoms get it
+  //! depends on the order of neighbours there, too.
   const AireboResult& evaluate(std::span<const Vec3> positions, std::span<const Element> elements,
                                const Cell* cell = nullptr,
                                const potential::EvaluationOptions& options = {}) override;

@@ -33,8 +33,6 @@ void BondPaths::find(HalfEdges& edges, std::uint32_t from) {
     for_each_bond(first.to, [&](std::uint32_t b, const HalfEdge& second) {
       if (second.to != from) offer({second.to, 2, first.weight * second.weight, {a, b, 0}});
     });
-  });
-  for_each_bond(from, [&](std::uint32_t a, const HalfEdge& first) {
     for_each_bond(first.to, [&](std::uint32_t b, const HalfEdge& second) {
       const double weight = first.weight * second.weight;
       if (second.to == from || weight == 0.0) return;

@@ -20,7 +20,8 @@ struct BondPath {
 
 //! \brief For one atom, the best path to each atom that up to three bonds lead to.
 //! \details C_ij = 1 - the weight of the best path from i to j (Stuart et al. 2000, equation 13), so no path
-//! means C_ij = 1. Of equally good paths the shortest counts, then the first found.
+//! means C_ij = 1. Of equally good paths the first found counts, in LAMMPS's order: the bond itself, then for one
+//! neighbour after the other what leads on over it, two bonds before three.
 class BondPaths {
  public:
   //! \brief Finds them.
