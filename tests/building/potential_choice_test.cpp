@@ -9,9 +9,9 @@
 #include "nanocarbon/building/build_molecule.h"
 #include "nanocarbon/core/neighbours_within.h"
 #include "nanocarbon/minimisation/minimise_molecule.h"
+#include "nanocarbon/potential/airebo/airebo.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/topology/connected_components.h"
-#include "support/refusal.h"
 #include "support/rough_sphere.h"
 
 namespace nanocarbon::building {
@@ -87,11 +87,19 @@ TEST(PotentialChoice, EachHasLammpssEnergyOfC60) {
   }
 }
 
-TEST(PotentialChoice, NoCertificateIsGivenWhereTheHessianIsNotKnown) {
-  BuildOptions options = draft_at_scale(PotentialChoice::airebo);
+TEST(PotentialChoice, CertificatesAreOfIt) {
+  BuildOptions options;
+  options.size = AtomCount{120};
+  options.quality = Quality::draft;
+  options.potential = PotentialChoice::airebo;
   options.certify = true;
-  EXPECT_THAT(test::refusal(Failure::usage, [&] { build_molecule(nested_spheres(8, 7.0), options); }),
-              testing::HasSubstr("--potential rebo2"));
+  options.force = true;
+  const BuildResult result = build_molecule(test::unit_sphere(12), options);
+  ASSERT_TRUE(result.certificate);
+  EXPECT_TRUE(result.certificate->minimum());
+  airebo::Airebo airebo;
+  EXPECT_NEAR(airebo.evaluate(result.molecule.positions, result.molecule.elements).energy,
+              result.certificate->energy, 1e-8);
 }
 
 }  // namespace

@@ -8,24 +8,26 @@
 #include <numbers>
 
 #include "nanocarbon/molecule/hydrogens.h"
+#include "nanocarbon/potential/airebo/airebo.h"
 #include "nanocarbon/potential/rebo2/rebo2.h"
 #include "nanocarbon/structures/fullerene.h"
+#include "nanocarbon/structures/graphene.h"
+#include "nanocarbon/structures/onion.h"
 
 namespace nanocarbon::minimisation {
 namespace {
 
 // All eigenvalues of the Hessian, from the matrix itself.
-Eigen::VectorXd dense_spectrum(const Molecule& molecule) {
+Eigen::VectorXd dense_spectrum(const Molecule& molecule, potential::Potential& potential) {
   const auto n = static_cast<Eigen::Index>(3 * molecule.size());
   Eigen::MatrixXd hessian(n, n);
-  rebo2::Rebo2 rebo2;
   const double h = 1e-6;
   for (Eigen::Index k = 0; k < n; ++k) {
     std::vector<Vec3> moved = molecule.positions;
     moved[static_cast<std::size_t>(k / 3)][k % 3] += h;
-    const std::vector<Vec3> ahead = rebo2.evaluate(moved, molecule.elements).forces;
+    const std::vector<Vec3> ahead = potential.evaluate(moved, molecule.elements, nullptr, {}).forces;
     moved[static_cast<std::size_t>(k / 3)][k % 3] -= 2 * h;
-    const std::vector<Vec3> behind = rebo2.evaluate(moved, molecule.elements).forces;
+    const std::vector<Vec3> behind = potential.evaluate(moved, molecule.elements, nullptr, {}).forces;
     for (Eigen::Index m = 0; m < n; ++m)
       hessian(m, k) =
           (behind[static_cast<std::size_t>(m / 3)][m % 3] - ahead[static_cast<std::size_t>(m / 3)][m % 3]) /
@@ -34,8 +36,9 @@ Eigen::VectorXd dense_spectrum(const Molecule& molecule) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (hessian + hessian.transpose())).eigenvalues();
 }
 
-void expect_eigenvalues_of_dense_matrix(const Molecule& molecule, const Certificate& certificate, int rigid) {
-  const Eigen::VectorXd all = dense_spectrum(molecule);
+void expect_eigenvalues_of_dense_matrix(const Molecule& molecule, const Certificate& certificate, int rigid,
+                                        potential::Potential& potential) {
+  const Eigen::VectorXd all = dense_spectrum(molecule, potential);
   for (int k = 0; k < rigid; ++k) EXPECT_NEAR(all[k], 0, 1e-4);
   ASSERT_EQ(certificate.eigenvalues.size(), 3u);
   for (int k = 0; k < 3; ++k)
@@ -79,7 +82,7 @@ TEST(Certify, C60IsAMinimumWithTheEigenvaluesOfTheFullMatrix) {
   EXPECT_EQ(certificate.pushes, 0);
   EXPECT_LT(certificate.uncertainty, 5e-5);
   EXPECT_NEAR(certificate.energy / 60, -6.8420645371, 1e-9);
-  expect_eigenvalues_of_dense_matrix(molecule, certificate, 6);
+  expect_eigenvalues_of_dense_matrix(molecule, certificate, 6, rebo2);
 }
 
 TEST(Certify, PiecesMoveOnTheirOwn) {
@@ -93,7 +96,7 @@ TEST(Certify, PiecesMoveOnTheirOwn) {
   rebo2::Rebo2 rebo2;
   const Certificate certificate = certify(two, rebo2);
   EXPECT_TRUE(certificate.minimum());
-  expect_eigenvalues_of_dense_matrix(two, certificate, 12);
+  expect_eigenvalues_of_dense_matrix(two, certificate, 12, rebo2);
 }
 
 // Flat, corannulene is the saddle between its two bowls, and by symmetry no force leads out of the plane.
@@ -107,7 +110,7 @@ TEST(Certify, LeavesASaddle) {
   const double depth = std::abs(molecule.positions[0].z() - molecule.positions[10].z());
   EXPECT_GT(depth, 0.5);  // measured by X-ray: 0.87 Angstrom (Hanson and Nordman 1976)
   EXPECT_LT(depth, 1.2);
-  expect_eigenvalues_of_dense_matrix(molecule, certificate, 6);
+  expect_eigenvalues_of_dense_matrix(molecule, certificate, 6, rebo2);
 }
 
 TEST(Certify, StaysWithASaddleWhereItMayNotPush) {
@@ -117,6 +120,20 @@ TEST(Certify, StaysWithASaddleWhereItMayNotPush) {
   EXPECT_FALSE(certificate.minimum());
   EXPECT_LT(certificate.eigenvalues.front(), 0);
   for (const Vec3& p : molecule.positions) EXPECT_NEAR(p.z(), 0, 1e-9);
+}
+
+// REBO2 lets them drift apart; by AIREBO they are one molecule with six rigid motions.
+TEST(Certify, TwoBenzenesComeToAMinimumOfAirebo) {
+  const Molecule benzene = molecule::saturated_with_hydrogen(structures::graphene_flake(1.5));
+  Molecule two = benzene;
+  structures::append(two, benzene);
+  for (std::size_t a = benzene.size(); a < two.size(); ++a) two.positions[a] += Vec3(0.3, 0.1, 3.5);
+  airebo::Airebo airebo;
+  const Certificate certificate = certify(two, airebo);
+  EXPECT_TRUE(certificate.minimum());
+  EXPECT_TRUE(certificate.intact);
+  EXPECT_LE(certificate.energy, 2 * -59.0751381406 - 0.1);  // two apart: LAMMPS's airebo, eV
+  expect_eigenvalues_of_dense_matrix(two, certificate, 6, airebo);
 }
 
 }  // namespace

@@ -200,11 +200,6 @@ void build_by_annealing(BuildResult& result, const BuildOptions& options) {
   const bool periodic = result.surface.mesh.space.periodic();
   if (options.certify && periodic)
     throw UserError(Failure::usage, "--certify does not know periodic cells yet; leave it out");
-  if (options.certify && potential->unbonded_reach() > 0)
-    throw UserError(Failure::usage,
-                    fmt::format("--certify knows potentials of bonds alone, not {}; take --potential "
-                                "rebo2, or leave it out",
-                                potential->name()));
   const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
     Stopwatch crystal;
     crystal::CrystalOptions wanted{

@@ -2,6 +2,7 @@
 #include "nanocarbon/minimisation/certificate.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "nanocarbon/minimisation/hessian_spectrum.h"
 #include "nanocarbon/minimisation/minimise_molecule.h"
@@ -14,11 +15,39 @@ namespace {
 
 constexpr double push = 0.05;  // Angstrom, of the atom that moves farthest
 
-HessianSpectrum spectrum_of(const Molecule& molecule, potential::Potential& potential, int eigenvalues) {
+//! Atoms of either rows.
+CouplingRows merged(const CouplingRows& a, const CouplingRows& b) {
+  CouplingRows rows{{0}, {}};
+  for (std::size_t atom = 0; atom + 1 < a.offsets.size(); ++atom) {
+    const auto first = a.of(atom), second = b.of(atom);
+    std::set_union(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(rows.atoms));
+    rows.offsets.push_back(rows.atoms.size());
+  }
+  return rows;
+}
+
+//! Which atoms' forces may change when an atom moves.
+CouplingRows coupled_by(const Molecule& molecule, const potential::Potential& potential) {
   const double cutoff = potential.bond_cutoffs().carbon_carbon.end;  // the longest of all
-  const CouplingRows coupled =
+  CouplingRows bonded =
       coupled_atoms(neighbours_within(molecule.positions, nullptr, cutoff), potential.bonded_reach());
-  const topology::Components components = topology::connected_components(molecule.size(), molecule.bonds);
+  if (!(potential.unbonded_reach() > 0)) return bonded;
+  return merged(bonded,
+                coupled_atoms(neighbours_within(molecule.positions, nullptr, potential.unbonded_reach()), 1));
+}
+
+//! What moves on its own: components of the bonds, or of all that act on each other.
+topology::Components loose_parts(const Molecule& molecule, const CouplingRows& coupled) {
+  std::vector<Bond> links = molecule.bonds;
+  for (AtomIndex a = 0; a < molecule.size(); ++a)
+    for (const std::uint32_t b : coupled.of(a))
+      if (a < b) links.push_back({a, b});
+  return topology::connected_components(molecule.size(), links);
+}
+
+HessianSpectrum spectrum_of(const Molecule& molecule, potential::Potential& potential, int eigenvalues) {
+  const CouplingRows coupled = coupled_by(molecule, potential);
+  const topology::Components components = loose_parts(molecule, coupled);
   return smallest_eigenvalues(sparse_hessian(molecule.positions, coupled, energy_of(molecule, potential)),
                               RigidMotions(molecule.positions, components.of_atom), eigenvalues);
 }
