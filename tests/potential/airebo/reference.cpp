@@ -71,8 +71,10 @@ AireboStyle airebo_style(const std::string& style) {
 }
 
 bool is_in_switches(const std::string& name) {
-  constexpr std::array names = {"soup",       "stretched_benzene", "methyl_pair",    "methane_dimer_30",
-                                "c60_pair_9", "cyclopropane",      "acetylene_dimer"};
+  constexpr std::array names = {
+      "soup",          "stretched_benzene",    "methyl_pair",     "methane_dimer_30",
+      "c60_pair_9",    "cyclopropane",         "acetylene_dimer", "graphite_rattled",
+      "onion_rattled", "polyethylene_rattled", "random_cluster",  "radicals"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 

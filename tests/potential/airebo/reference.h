@@ -28,7 +28,7 @@ struct AireboReferenceStructure {
   std::vector<AireboReference> references;
 };
 
-//! \brief reference.json: 21 structures as LAMMPS's airebo and airebo/morse evaluate them.
+//! \brief reference.json: 28 structures as LAMMPS's airebo and airebo/morse evaluate them.
 //! \details Made by LAMMPS of 29 Sep 2021 with its CH.airebo and CH.airebo-m: minimised structures, and some
 //! with bonds, bond orders and pairs within every switch.
 std::vector<AireboReferenceStructure> airebo_reference();
