@@ -8,7 +8,10 @@ nanocarbon_lammps_test(airebo_opt_comparison RANKS 1 LABEL lammps-slow TIMEOUT 9
 nanocarbon_lammps_test(airebo_opt RANKS 1 2 4 SOURCES ${comparison} ${airebo_tests}/reference.cpp
                        LINKS nanocarbon::airebo nanocarbon::structures nlohmann_json::nlohmann_json)
 nanocarbon_lammps_test(airebo_opt_conservation RANKS 1 LABEL lammps-slow TIMEOUT 900)
-foreach(test airebo_opt airebo_opt_comparison airebo_opt_conservation)
+nanocarbon_lammps_test(airebo_cohesion RANKS 1 LABEL lammps-slow TIMEOUT 900
+  SOURCES ${PROJECT_SOURCE_DIR}/tests/support/lammps_reference.cpp
+  LINKS nanocarbon::airebo nanocarbon::minimisation nanocarbon::structures)
+foreach(test airebo_opt airebo_opt_comparison airebo_opt_conservation airebo_cohesion)
   target_compile_definitions(test_lammps_${test} PRIVATE
     NANOCARBON_CH_REBO="${NANOCARBON_CH_REBO}" NANOCARBON_PLUGIN_FILE="$<TARGET_FILE:nanocarbonplugin>"
     NANOCARBON_AIREBO_REFERENCE="${airebo_tests}/reference.json")
