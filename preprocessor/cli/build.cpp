@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "build_command.h"
 #include "command_text.h"
 #include "nanocarbon/building/build_report.h"
+#include "nanocarbon/building/facing_sheets.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/output_file.h"
 #include "nanocarbon/core/version.h"
@@ -115,6 +117,19 @@ void require_proof(const BuildCommand& command, const building::BuildResult& res
                   command.data.string(), what_the_proof_lacks(*result.certificate)));
 }
 
+// Where REBO2 has no force any more, and nothing but chance keeps sheets apart.
+void warn_of_facing_sheets(const Molecule& molecule, building::PotentialChoice potential,
+                           const std::function<void(const char*, const std::vector<std::string>&)>& tell) {
+  constexpr double far_enough = 3.0;  // Angstrom; two sheets rest 3.36 apart by AIREBO
+  if (potential != building::PotentialChoice::rebo2) return;
+  const double closest = building::closest_of_facing_sheets(molecule, far_enough);
+  if (closest < far_enough)
+    tell("warning",
+         {fmt::format("sheets that face each other come to {:.2f} A: REBO2 does not keep them apart; "
+                      "--potential airebo does",
+                      closest)});
+}
+
 void run(BuildCommand& command) {
   require_outputs(command);
   building::BuildOptions& options = command.build;
@@ -161,6 +176,7 @@ void run(BuildCommand& command) {
   if (result.annealed && result.annealed->max_force > options.force_tolerance)
     tell("warning", {fmt::format("the largest force left is {:.1e} eV/A, not below the {:.1e} asked for",
                                  result.annealed->max_force, options.force_tolerance)});
+  if (result.annealed) warn_of_facing_sheets(result.molecule, options.potential, tell);
   const auto report =
       building::build_report(result, options, {command.command_line, command.mesh, surface.repairs});
   write_outputs(command, result, report);
