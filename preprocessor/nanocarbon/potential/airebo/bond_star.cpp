@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nanocarbon/potential/airebo/trigonal_term.h"
 #include "nanocarbon/potential/rebo2/angular_spline.h"
 
 namespace nanocarbon::airebo {
@@ -52,7 +53,10 @@ double piecewise(const std::array<double, knots>& at, const std::array<rebo2::Qu
 
 }  // namespace
 
-BondStars::BondStars(const AireboModel& model) : model_(model) {
+BondStars::BondStars(const AireboModel& model)
+    : model_(model),
+      sp2_bound_(model.parameters.rebo.carbon),
+      plain_trigonal_(trigonal_order_is_plain(model.parameters.rebo)) {
   const rebo2::Rebo2Parameters& rebo = model.parameters.rebo;
   using enum Element;
   for (const auto& [a, b] : {std::pair{carbon, carbon}, {carbon, hydrogen}, {hydrogen, hydrogen}})
@@ -89,27 +93,31 @@ std::uint32_t BondStars::add(std::uint32_t atom, const AtomsView& atoms,
     star.base = {1.0 + tables.p_cc.evaluate(carbons, hydrogens).value,
                  1.0 + tables.p_ch.evaluate(carbons, hydrogens).value};
   }
+  star.trigonal = plain_trigonal_ && atoms.elements[atom] == Element::carbon && star.bonds == 3;
+  star.sp2.base = star.base[0];
   stars_.push_back(star);
   return static_cast<std::uint32_t>(stars_.size() - 1);
 }
 
-void BondStars::place(const AtomsView& atoms) {
-  for (BondStar& star : stars_) {
-    const double* from = atoms.positions + 3 * std::size_t{star.atom};
-    const bool hydrogen = atoms.elements[star.atom] == Element::hydrogen;
-    for (std::uint32_t b = 0; b < star.bonds; ++b) {
-      const double* to = atoms.positions + 3 * std::size_t{star.neighbours[b]};
-      const double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
-      const double length = std::sqrt(x * x + y * y + z * z);
-      const double inverse = 1.0 / length;
-      star.along[b] = {x * inverse, y * inverse, z * inverse};
-      if (hydrogen) {
-        const Element other = atoms.elements[star.neighbours[b]];
-        const auto& pair = model_.parameters.rebo.pairs[rebo2::pair_index(Element::hydrogen, other)];
-        star.stretch[b] = std::exp(lambda_slope * (pair.equilibrium - length));
-      }
+void BondStars::place_star(BondStar& star, const AtomsView& atoms) {
+  const double* from = atoms.positions + 3 * std::size_t{star.atom};
+  const bool hydrogen = atoms.elements[star.atom] == Element::hydrogen;
+  for (std::uint32_t b = 0; b < star.bonds; ++b) {
+    const double* to = atoms.positions + 3 * std::size_t{star.neighbours[b]};
+    const double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
+    const double length = std::sqrt(x * x + y * y + z * z);
+    const double inverse = 1.0 / length;
+    star.along[b] = {x * inverse, y * inverse, z * inverse};
+    if (star.trigonal) star.sp2.inverse[b] = inverse;
+    if (hydrogen) {
+      const Element other = atoms.elements[star.neighbours[b]];
+      const auto& pair = model_.parameters.rebo.pairs[rebo2::pair_index(Element::hydrogen, other)];
+      star.stretch[b] = std::exp(lambda_slope * (pair.equilibrium - length));
     }
   }
+  if (star.trigonal)
+    for (int b = 0; b < 3; ++b) std::copy(star.along[b].begin(), star.along[b].end(), &star.sp2.along[3 * b]);
+  star.step = step_;
 }
 
 double BondStars::sum(const BondStar& star, Element element, Element other,

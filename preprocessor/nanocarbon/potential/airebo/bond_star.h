@@ -3,9 +3,11 @@
 
 #include <array>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "nanocarbon/potential/airebo/model.h"
+#include "nanocarbon/potential/airebo/sp2_order_bound.h"
 #include "nanocarbon/potential/near_pairs.h"
 
 namespace nanocarbon::airebo {
@@ -20,6 +22,9 @@ struct BondStar {
   std::array<double, 2> base;                           //!< 1 + P by the element of the other end
   std::array<std::array<double, 3>, most_bonds> along;  //!< unit vectors
   std::array<double, most_bonds> stretch;               //!< at hydrogen exp(4 (rho - r)), else 1
+  std::uint64_t step;                                   //!< that along and stretch are of
+  bool trigonal;                                        //!< a carbon with three bonds, see trigonal_term.h
+  TrigonalCarbon sp2;                                   //!< if so, also this
 };
 
 //! \brief Bounds of b* without its dihedrals and conjugation.
@@ -35,19 +40,35 @@ class BondStars {
   //! \return the number of the new star, or none where an atom has too many bonds
   std::uint32_t add(std::uint32_t atom, const potential::AtomsView& atoms,
                     const potential::NearPairs& whole_bonds);
-  //! Brings them up to the atoms' positions.
-  void place(const potential::AtomsView& atoms);
+  //! Forgets where the atoms were.
+  void new_step() { ++step_; }
+  //! Brings a star up to the atoms' positions, unless it was in this step.
+  void place(std::uint32_t star, const potential::AtomsView& atoms) {
+    if (stars_[star].step != step_) place_star(stars_[star], atoms);
+  }
+  const BondStar& operator[](std::uint32_t star) const { return stars_[star]; }
+
+  //! \brief Sorts out pairs of trigonal stars.
+  //! \param high numbers of those pairs whose b* may be above the limit are appended
+  void find_high(std::span<const TrigonalPair> pairs, double limit, std::vector<std::uint32_t>& high) const {
+    sp2_bound_.find_high(pairs, limit, high);
+  }
 
   //! \brief Not below b* of two atoms, provided their bonds are those of the stars.
+  //! \pre both are placed
   //! \param along unit vector from i to j
   double order_bound(std::uint32_t star_i, std::uint32_t star_j, const std::array<double, 3>& along,
                      const potential::AtomsView& atoms) const;
 
  private:
+  void place_star(BondStar& star, const potential::AtomsView& atoms);
   double sum(const BondStar& star, Element element, Element other, const std::array<double, 3>& along) const;
 
   const AireboModel& model_;
+  Sp2OrderBound sp2_bound_;
+  bool plain_trigonal_;
   std::vector<BondStar> stars_;
+  std::uint64_t step_ = 1;
   //! The largest F + T S by pair_index() and the ends' coordinations.
   std::array<std::array<std::array<double, BondStar::most_bonds + 1>, BondStar::most_bonds + 1>, 3> most_;
   std::array<double, 2> fictitious_;  // at hydrogen, exp(-4 (rho - r_min)) by the other end's element

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "nanocarbon/potential/airebo/exclusions.h"
+#include "nanocarbon/potential/airebo/trigonal_term.h"
 #include "nanocarbon/potential/rebo2/sp2_dispatch.h"
 
 namespace nanocarbon::airebo {
@@ -65,7 +66,8 @@ void FastEvaluation::find_close_pairs(const AtomsView& atoms) {
     for (const std::uint32_t j : candidates_.of(i)) {
       const std::size_t pair = rebo2::pair_index(atoms.elements[i], atoms.elements[j]);
       const double range = model_.parameters.long_range[pair].length_switch_end + margin_;
-      if (separation(atoms, i, j).squaredNorm() < range * range) close_.push_back({i, j, star(i), star(j)});
+      if (separation(atoms, i, j).squaredNorm() < range * range)
+        close_.push_back({i, j, star(i), star(j), static_cast<std::uint32_t>(pair)});
     }
 }
 
@@ -89,8 +91,8 @@ std::vector<char> FastEvaluation::atoms_to_watch(const AtomsView& atoms, const N
   return watched;
 }
 
-void FastEvaluation::collect_bond_order_terms(const AtomsView& atoms) {
-  stars_.place(atoms);
+double FastEvaluation::collect_bond_order_terms(const AtomsView& atoms, double* forces) {
+  stars_.new_step();
   std::array<double, 3> end_squared, switch_begin;
   for (int p = 0; p < 3; ++p) {
     const LongRangeParameters& pair = model_.parameters.long_range[p];
@@ -98,22 +100,45 @@ void FastEvaluation::collect_bond_order_terms(const AtomsView& atoms) {
     end_squared[p] = end * end;
     switch_begin[p] = pair.order_switch_begin;
   }
+  const auto add_term = [&](const ClosePair& pair) {
+    terms_.push_back({.i = pair.i, .j = pair.j, .c = 1.0, .d = 0.0});
+  };
+  trigonal_.clear();
+  trigonal_pairs_.clear();
   for (const ClosePair& pair : close_) {
-    const std::size_t elements = rebo2::pair_index(atoms.elements[pair.i], atoms.elements[pair.j]);
     const double* a = atoms.positions + 3 * std::size_t{pair.i};
     const double* b = atoms.positions + 3 * std::size_t{pair.j};
     const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
     const double squared = x * x + y * y + z * z;
-    if (!(squared < end_squared[elements])) continue;
-    if (pair.star_i != BondStars::none && pair.star_j != BondStars::none && !watch_.is_disturbed(pair.i) &&
-        !watch_.is_disturbed(pair.j)) {
-      const double inverse = 1.0 / std::sqrt(squared);
-      const double bound =
-          stars_.order_bound(pair.star_i, pair.star_j, {x * inverse, y * inverse, z * inverse}, atoms);
-      if (bound <= switch_begin[elements]) continue;  // S_b = 1
+    if (!(squared < end_squared[pair.elements])) continue;
+    if (pair.star_i == BondStars::none || pair.star_j == BondStars::none || watch_.is_disturbed(pair.i) ||
+        watch_.is_disturbed(pair.j)) {
+      add_term(pair);
+      continue;
     }
-    terms_.push_back({.i = pair.i, .j = pair.j, .c = 1.0, .d = 0.0});
+    stars_.place(pair.star_i, atoms);
+    stars_.place(pair.star_j, atoms);
+    const double length = std::sqrt(squared);
+    const double inverse = 1.0 / length;
+    const std::array<double, 3> along = {x * inverse, y * inverse, z * inverse};
+    const BondStar &i = stars_[pair.star_i], &j = stars_[pair.star_j];
+    if (i.trigonal && j.trigonal) {
+      trigonal_.push_back({&i.sp2, &j.sp2, along});
+      trigonal_pairs_.push_back({&pair, length});
+    } else if (!(stars_.order_bound(pair.star_i, pair.star_j, along, atoms) <= switch_begin[pair.elements])) {
+      add_term(pair);  // S_b < 1, or nearly so
+    }
   }
+  high_.clear();
+  stars_.find_high(trigonal_, switch_begin[0], high_);
+  double energy = 0.0;
+  for (const std::uint32_t n : high_) {
+    const auto& [pair, length] = trigonal_pairs_[n];
+    const BondStar &i = stars_[pair->star_i], &j = stars_[pair->star_j];
+    energy += add_trigonal_term({&i.sp2, i.atom, i.neighbours.data()}, {&j.sp2, j.atom, j.neighbours.data()},
+                                trigonal_[n].along, length, model_, forces);
+  }
+  return energy;
 }
 
 void FastEvaluation::find_affected(const AtomsView& atoms, const NearPairs& near) {
@@ -172,7 +197,7 @@ AireboEnergyParts FastEvaluation::evaluate(const AtomsView& atoms, const NearPai
   edges_.clear(atoms.all);
   find_affected(atoms, near);
   collect_path_terms(atoms, near);
-  collect_bond_order_terms(atoms);
+  energy.long_range += collect_bond_order_terms(atoms, forces);
   if (terms_.empty()) return energy;
   for (const LongRangeTerm& term : terms_) add_bonds_for(term, atoms, near, model_, edges_);
   for (const LongRangeTerm& term : terms_)

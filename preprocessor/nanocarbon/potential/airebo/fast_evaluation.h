@@ -47,7 +47,7 @@ class FastEvaluation {
 
   //! Own atoms that the last evaluation's bonds left to the general terms.
   std::size_t general_atoms() const { return bonds_.general_atoms(); }
-  //! Terms of E_LJ that the last evaluation did one by one.
+  //! Terms of E_LJ that the last evaluation did one by one, in general form.
   std::size_t single_terms() const { return terms_.size(); }
   //! Bytes held by the arrays that grow with the atoms.
   std::size_t memory() const;
@@ -58,11 +58,13 @@ class FastEvaluation {
     std::uint32_t j;
     std::uint32_t star_i;
     std::uint32_t star_j;
+    std::uint32_t elements;  // pair_index()
   };
 
   void find_close_pairs(const potential::AtomsView& atoms);
   std::vector<char> atoms_to_watch(const potential::AtomsView& atoms, const potential::NearPairs& near) const;
-  void collect_bond_order_terms(const potential::AtomsView& atoms);
+  //! Does those of three-bonded carbons at once, and collects the others.
+  double collect_bond_order_terms(const potential::AtomsView& atoms, double* forces);
   void find_affected(const potential::AtomsView& atoms, const potential::NearPairs& near);
   void collect_path_terms(const potential::AtomsView& atoms, const potential::NearPairs& near);
 
@@ -77,6 +79,13 @@ class FastEvaluation {
   potential::NearPairs candidates_;  // not excluded
   std::vector<ClosePair> close_;
   std::vector<std::uint32_t> star_of_;
+  std::vector<TrigonalPair> trigonal_;  // of this step
+  struct TrigonalPlace {
+    const ClosePair* pair;
+    double length;
+  };
+  std::vector<TrigonalPlace> trigonal_pairs_;
+  std::vector<std::uint32_t> high_;
 
   std::vector<std::uint32_t> affected_;  // own atoms, some of whose pairs may have another C_ij
   std::vector<char> affected_flag_;
