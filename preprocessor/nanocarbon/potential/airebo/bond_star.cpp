@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nanocarbon/potential/airebo/trigonal_term.h"
 #include "nanocarbon/potential/rebo2/angular_spline.h"
 
 namespace nanocarbon::airebo {
@@ -53,10 +52,7 @@ double piecewise(const std::array<double, knots>& at, const std::array<rebo2::Qu
 
 }  // namespace
 
-BondStars::BondStars(const AireboModel& model)
-    : model_(model),
-      sp2_bound_(model.parameters.rebo.carbon),
-      plain_trigonal_(trigonal_order_is_plain(model.parameters.rebo)) {
+BondStars::BondStars(const AireboModel& model) : model_(model) {
   const rebo2::Rebo2Parameters& rebo = model.parameters.rebo;
   using enum Element;
   for (const auto& [a, b] : {std::pair{carbon, carbon}, {carbon, hydrogen}, {hydrogen, hydrogen}})
@@ -93,8 +89,6 @@ std::uint32_t BondStars::add(std::uint32_t atom, const AtomsView& atoms,
     star.base = {1.0 + tables.p_cc.evaluate(carbons, hydrogens).value,
                  1.0 + tables.p_ch.evaluate(carbons, hydrogens).value};
   }
-  star.trigonal = plain_trigonal_ && atoms.elements[atom] == Element::carbon && star.bonds == 3;
-  star.sp2.base = star.base[0];
   stars_.push_back(star);
   return static_cast<std::uint32_t>(stars_.size() - 1);
 }
@@ -108,15 +102,12 @@ void BondStars::place_star(BondStar& star, const AtomsView& atoms) {
     const double length = std::sqrt(x * x + y * y + z * z);
     const double inverse = 1.0 / length;
     star.along[b] = {x * inverse, y * inverse, z * inverse};
-    if (star.trigonal) star.sp2.inverse[b] = inverse;
     if (hydrogen) {
       const Element other = atoms.elements[star.neighbours[b]];
       const auto& pair = model_.parameters.rebo.pairs[rebo2::pair_index(Element::hydrogen, other)];
       star.stretch[b] = std::exp(lambda_slope * (pair.equilibrium - length));
     }
   }
-  if (star.trigonal)
-    for (int b = 0; b < 3; ++b) std::copy(star.along[b].begin(), star.along[b].end(), &star.sp2.along[3 * b]);
   star.step = step_;
 }
 

@@ -3,11 +3,9 @@
 
 #include <array>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "nanocarbon/potential/airebo/model.h"
-#include "nanocarbon/potential/airebo/sp2_order_bound.h"
 #include "nanocarbon/potential/near_pairs.h"
 
 namespace nanocarbon::airebo {
@@ -23,8 +21,6 @@ struct BondStar {
   std::array<std::array<double, 3>, most_bonds> along;  //!< unit vectors
   std::array<double, most_bonds> stretch;               //!< at hydrogen exp(4 (rho - r)), else 1
   std::uint64_t step;                                   //!< that along and stretch are of
-  bool trigonal;                                        //!< a carbon with three bonds, see trigonal_term.h
-  TrigonalCarbon sp2;                                   //!< if so, also this
 };
 
 //! \brief Bounds of b* without its dihedrals and conjugation.
@@ -46,14 +42,6 @@ class BondStars {
   void place(std::uint32_t star, const potential::AtomsView& atoms) {
     if (stars_[star].step != step_) place_star(stars_[star], atoms);
   }
-  const BondStar& operator[](std::uint32_t star) const { return stars_[star]; }
-
-  //! \brief Sorts out pairs of trigonal stars.
-  //! \param high numbers of those pairs whose b* may be above the limit are appended
-  void find_high(std::span<const TrigonalPair> pairs, double limit, std::vector<std::uint32_t>& high) const {
-    sp2_bound_.find_high(pairs, limit, high);
-  }
-
   //! \brief Not below b* of two atoms, provided their bonds are those of the stars.
   //! \pre both are placed
   //! \param along unit vector from i to j
@@ -65,8 +53,6 @@ class BondStars {
   double sum(const BondStar& star, Element element, Element other, const std::array<double, 3>& along) const;
 
   const AireboModel& model_;
-  Sp2OrderBound sp2_bound_;
-  bool plain_trigonal_;
   std::vector<BondStar> stars_;
   std::uint64_t step_ = 1;
   //! The largest F + T S by pair_index() and the ends' coordinations.

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "nanocarbon/potential/airebo/exclusions.h"
-#include "nanocarbon/potential/airebo/trigonal_term.h"
 #include "nanocarbon/potential/rebo2/sp2_dispatch.h"
 
 namespace nanocarbon::airebo {
@@ -27,6 +26,7 @@ FastEvaluation::FastEvaluation(const AireboModel& model)
     : model_(model),
       bonds_(model.parameters.rebo, *rebo2::usable_sp2_kernels().front(),
              model.terms.torsion ? std::optional(model.parameters.torsion) : std::nullopt),
+      trigonal_(model),
       stars_(model) {}
 
 void FastEvaluation::lists_changed(const AtomsView& atoms, const NearPairs& near, NearPairs candidates,
@@ -56,6 +56,7 @@ void FastEvaluation::near_changed(const AtomsView& atoms, const NearPairs& near)
 void FastEvaluation::find_close_pairs(const AtomsView& atoms) {
   close_.clear();
   stars_.clear();
+  trigonal_.clear(atoms.all);
   constexpr std::uint32_t unknown = BondStars::none - 1;
   star_of_.assign(atoms.all, unknown);
   const auto star = [&](std::uint32_t atom) {
@@ -66,7 +67,7 @@ void FastEvaluation::find_close_pairs(const AtomsView& atoms) {
     for (const std::uint32_t j : candidates_.of(i)) {
       const std::size_t pair = rebo2::pair_index(atoms.elements[i], atoms.elements[j]);
       const double range = model_.parameters.long_range[pair].length_switch_end + margin_;
-      if (separation(atoms, i, j).squaredNorm() < range * range)
+      if (separation(atoms, i, j).squaredNorm() < range * range && !trigonal_.add(i, j, atoms, whole_))
         close_.push_back({i, j, star(i), star(j), static_cast<std::uint32_t>(pair)});
     }
 }
@@ -88,6 +89,7 @@ std::vector<char> FastEvaluation::atoms_to_watch(const AtomsView& atoms, const N
     shell.swap(next);
   }
   for (const ClosePair& pair : close_) watched[pair.j] = 1;
+  trigonal_.mark_second_atoms(watched);
   return watched;
 }
 
@@ -100,11 +102,12 @@ double FastEvaluation::collect_bond_order_terms(const AtomsView& atoms, double* 
     end_squared[p] = end * end;
     switch_begin[p] = pair.order_switch_begin;
   }
-  const auto add_term = [&](const ClosePair& pair) {
-    terms_.push_back({.i = pair.i, .j = pair.j, .c = 1.0, .d = 0.0});
+  const auto add_term = [&](std::uint32_t i, std::uint32_t j) {
+    terms_.push_back({.i = i, .j = j, .c = 1.0, .d = 0.0});
   };
-  trigonal_.clear();
-  trigonal_pairs_.clear();
+  left_.clear();
+  const double energy = trigonal_.evaluate(atoms, watch_, forces, left_);
+  for (const auto& [i, j] : left_) add_term(i, j);
   for (const ClosePair& pair : close_) {
     const double* a = atoms.positions + 3 * std::size_t{pair.i};
     const double* b = atoms.positions + 3 * std::size_t{pair.j};
@@ -113,30 +116,15 @@ double FastEvaluation::collect_bond_order_terms(const AtomsView& atoms, double* 
     if (!(squared < end_squared[pair.elements])) continue;
     if (pair.star_i == BondStars::none || pair.star_j == BondStars::none || watch_.is_disturbed(pair.i) ||
         watch_.is_disturbed(pair.j)) {
-      add_term(pair);
+      add_term(pair.i, pair.j);
       continue;
     }
     stars_.place(pair.star_i, atoms);
     stars_.place(pair.star_j, atoms);
-    const double length = std::sqrt(squared);
-    const double inverse = 1.0 / length;
-    const std::array<double, 3> along = {x * inverse, y * inverse, z * inverse};
-    const BondStar &i = stars_[pair.star_i], &j = stars_[pair.star_j];
-    if (i.trigonal && j.trigonal) {
-      trigonal_.push_back({&i.sp2, &j.sp2, along});
-      trigonal_pairs_.push_back({&pair, length});
-    } else if (!(stars_.order_bound(pair.star_i, pair.star_j, along, atoms) <= switch_begin[pair.elements])) {
-      add_term(pair);  // S_b < 1, or nearly so
-    }
-  }
-  high_.clear();
-  stars_.find_high(trigonal_, switch_begin[0], high_);
-  double energy = 0.0;
-  for (const std::uint32_t n : high_) {
-    const auto& [pair, length] = trigonal_pairs_[n];
-    const BondStar &i = stars_[pair->star_i], &j = stars_[pair->star_j];
-    energy += add_trigonal_term({&i.sp2, i.atom, i.neighbours.data()}, {&j.sp2, j.atom, j.neighbours.data()},
-                                trigonal_[n].along, length, model_, forces);
+    const double inverse = 1.0 / std::sqrt(squared);
+    const double bound =
+        stars_.order_bound(pair.star_i, pair.star_j, {x * inverse, y * inverse, z * inverse}, atoms);
+    if (!(bound <= switch_begin[pair.elements])) add_term(pair.i, pair.j);  // else S_b = 1
   }
   return energy;
 }
@@ -207,7 +195,7 @@ AireboEnergyParts FastEvaluation::evaluate(const AtomsView& atoms, const NearPai
 }
 
 std::size_t FastEvaluation::memory() const {
-  return bonds_.memory() + sizeof(ClosePair) * close_.capacity() +
+  return bonds_.memory() + trigonal_.memory() + sizeof(ClosePair) * close_.capacity() +
          sizeof(std::uint32_t) *
              (whole_.atoms.capacity() + whole_.offsets.capacity() + excluded_.atoms.capacity() +
               excluded_.offsets.capacity() + candidates_.atoms.capacity() + candidates_.offsets.capacity() +

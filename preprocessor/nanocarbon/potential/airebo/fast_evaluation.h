@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "nanocarbon/potential/airebo/bond_star.h"
 #include "nanocarbon/potential/airebo/bond_watch.h"
 #include "nanocarbon/potential/airebo/energy_parts.h"
 #include "nanocarbon/potential/airebo/long_range.h"
+#include "nanocarbon/potential/airebo/trigonal_pairs.h"
 #include "nanocarbon/potential/rebo2/mixed_evaluation.h"
 
 namespace nanocarbon::airebo {
@@ -71,21 +73,16 @@ class FastEvaluation {
   const AireboModel& model_;
   rebo2::MixedEvaluation bonds_;
   BondWatch watch_;
+  TrigonalPairs trigonal_;
   BondStars stars_;
   double margin_ = 0.0;
 
   potential::NearPairs whole_;  // bonds when lists were made
   potential::NearPairs excluded_;
   potential::NearPairs candidates_;  // not excluded
-  std::vector<ClosePair> close_;
+  std::vector<ClosePair> close_;     // that trigonal_ does not take
   std::vector<std::uint32_t> star_of_;
-  std::vector<TrigonalPair> trigonal_;  // of this step
-  struct TrigonalPlace {
-    const ClosePair* pair;
-    double length;
-  };
-  std::vector<TrigonalPlace> trigonal_pairs_;
-  std::vector<std::uint32_t> high_;
+  std::vector<std::array<std::uint32_t, 2>> left_;  // by trigonal_
 
   std::vector<std::uint32_t> affected_;  // own atoms, some of whose pairs may have another C_ij
   std::vector<char> affected_flag_;

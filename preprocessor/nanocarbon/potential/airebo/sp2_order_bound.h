@@ -10,11 +10,15 @@
 
 namespace nanocarbon::airebo {
 
-//! A carbon atom with three whole bonds, as hypothetical bonds to other carbons see it.
-struct TrigonalCarbon {
+//! \brief A carbon atom with three whole bonds, as hypothetical bonds to other carbons see it.
+//! \details Two lines of a cache.
+struct alignas(64) TrigonalCarbon {
   std::array<double, 9> along;    //!< unit vectors of its bonds
   std::array<double, 3> inverse;  //!< of their lengths, 1/Angstrom
   double base;                    //!< 1 + P_CC
+  std::uint64_t step;             //!< that along and inverse are of
+  std::uint32_t atom;
+  std::array<std::uint32_t, 3> neighbours;
 };
 
 //! Two of them, and the unit vector from the first to the second.

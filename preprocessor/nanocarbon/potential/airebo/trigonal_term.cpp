@@ -42,15 +42,15 @@ Eigen::Map<Vec3> force(double* forces, std::uint32_t atom) {
 
 //! Adds the forces of an energy that depends on p at one end to its neighbours and to itself.
 //! \return its derivative by the direction of the pair
-Vec3 add_end_forces(const TrigonalEnd& end, const HalfOrder& order, const Vec3& along, double by_order,
+Vec3 add_end_forces(const TrigonalCarbon& end, const HalfOrder& order, const Vec3& along, double by_order,
                     double* forces) {
   const double by_sum = -0.25 * by_order * order.p * order.p * order.p;
   Vec3 by_direction = Vec3::Zero(), at_end = Vec3::Zero();
   for (int b = 0; b < 3; ++b) {
     const double by_cosine = by_sum * order.by_cosine[b];
-    const Vec3 u = bond(*end.carbon, b);
+    const Vec3 u = bond(end, b);
     by_direction += by_cosine * u;
-    const Vec3 pull = by_cosine * end.carbon->inverse[b] * (along - along.dot(u) * u);
+    const Vec3 pull = by_cosine * end.inverse[b] * (along - along.dot(u) * u);
     force(forces, end.neighbours[b]) -= pull;
     at_end += pull;
   }
@@ -71,11 +71,11 @@ bool trigonal_order_is_plain(const rebo2::Rebo2Parameters& parameters) {
   return true;
 }
 
-double add_trigonal_term(const TrigonalEnd& i, const TrigonalEnd& j, const std::array<double, 3>& along,
+double add_trigonal_term(const TrigonalCarbon& i, const TrigonalCarbon& j, const std::array<double, 3>& along,
                          double length, const AireboModel& model, double* forces) {
   const Vec3 from_i(along[0], along[1], along[2]), from_j = -from_i;
   const rebo2::CarbonAngles& angles = model.parameters.rebo.carbon;
-  const HalfOrder at_i = half_order(*i.carbon, from_i, angles), at_j = half_order(*j.carbon, from_j, angles);
+  const HalfOrder at_i = half_order(i, from_i, angles), at_j = half_order(j, from_j, angles);
   const LongRangeParameters& pair = model.parameters.long_range[0];
   const ValueSlope s_b =
       rebo2::cubic_switch(0.5 * (at_i.p + at_j.p), pair.order_switch_begin, pair.order_switch_end);

@@ -9,13 +9,6 @@
 
 namespace nanocarbon::airebo {
 
-//! An atom of a trigonal pair, and its neighbours in the order of its bonds.
-struct TrigonalEnd {
-  const TrigonalCarbon* carbon;
-  std::uint32_t atom;
-  const std::uint32_t* neighbours;
-};
-
 //! \brief Whether b* of two such carbons is (p_ij + p_ji)/2, for F and T vanish at three and three bonds.
 bool trigonal_order_is_plain(const rebo2::Rebo2Parameters& parameters);
 
@@ -26,7 +19,7 @@ bool trigonal_order_is_plain(const rebo2::Rebo2Parameters& parameters);
 //! \param forces x, y, z of every atom; added to, eV/Angstrom
 //! \pre trigonal_order_is_plain()
 //! \return eV
-double add_trigonal_term(const TrigonalEnd& i, const TrigonalEnd& j, const std::array<double, 3>& along,
+double add_trigonal_term(const TrigonalCarbon& i, const TrigonalCarbon& j, const std::array<double, 3>& along,
                          double length, const AireboModel& model, double* forces);
 
 }  // namespace nanocarbon::airebo
