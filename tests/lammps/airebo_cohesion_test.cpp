@@ -24,27 +24,30 @@ struct Relaxed {
   Vec3 edges;     // Angstrom
 };
 
-Relaxed relax_in_lammps(LammpsReference& lammps, const std::string& style, const Molecule& m) {
+Relaxed relax_in_lammps(LammpsReference& lammps, const std::string& style, const Molecule& m,
+                        bool alike_across) {
   lammps.place(m.positions, m.elements, &*m.cell);
   lammps.potential(style);
-  lammps.command(
-      "neighbor 1.0 bin\nmin_style cg\nmin_modify line quadratic dmax 0.05\n"
-      "thermo_style custom step pe lx ly lz\nfix box all box/relax x 0.0 y 0.0 z 0.0 vmax 0.001");
+  lammps.command("neighbor 1.0 bin\nmin_style cg\nmin_modify line quadratic dmax 0.05");
+  lammps.command("thermo_style custom step pe lx ly lz");
+  lammps.command(std::string("fix box all box/relax x 0.0 y 0.0 z 0.0 vmax 0.001") +
+                 (alike_across ? " couple xy" : ""));
   // fix box/relax starts from a new reference cell each time.
-  for (int round = 0; round < 4; ++round) lammps.command("minimize 0 1e-7 500 1000");
+  for (int round = 0; round < 4; ++round) lammps.command("minimize 0 1e-7 300 600");
   return {lammps.variable("pe/atoms"), {lammps.variable("lx"), lammps.variable("ly"), lammps.variable("lz")}};
 }
 
-Relaxed relax_here(Molecule m) {
+Relaxed relax_here(Molecule m, bool alike_across) {
   airebo::Airebo airebo;
-  const auto relaxed =
-      minimisation::relax_structure(m, airebo, {.free = {true, true, true}}, {.force_tolerance = 1e-6});
+  const auto relaxed = minimisation::relax_structure(
+      m, airebo, {.free = {true, true, true}, .alike_across = alike_across}, {.force_tolerance = 1e-6});
   EXPECT_TRUE(relaxed.converged);
   return {relaxed.energy / static_cast<double>(m.size()), m.cell->vectors.diagonal()};
 }
 
+//! \param alike_across x and y by the same factor
 //! \return as airebo/opt has it
-Relaxed compare(const std::string& what, Molecule m) {
+Relaxed compare(const std::string& what, Molecule m, bool alike_across = false) {
   SCOPED_TRACE(what);
   // Into the cell, as LAMMPS wants them.
   for (Vec3& p : m.positions)
@@ -53,9 +56,9 @@ Relaxed compare(const std::string& what, Molecule m) {
       p[d] -= edge * std::floor((p[d] - m.cell->origin[d]) / edge);
     }
   LammpsReference lammps(true);
-  const Relaxed theirs = relax_in_lammps(lammps, "airebo 3.0", m);
-  const Relaxed opt = relax_in_lammps(lammps, "airebo/opt 3.0", m);
-  const Relaxed own = relax_here(m);
+  const Relaxed theirs = relax_in_lammps(lammps, "airebo 3.0", m, alike_across);
+  const Relaxed opt = relax_in_lammps(lammps, "airebo/opt 3.0", m, alike_across);
+  const Relaxed own = relax_here(m, alike_across);
   std::cout.precision(10);
   std::cout << what << ": " << theirs.energy << " eV/atom, " << theirs.edges.transpose() << " A; airebo/opt "
             << opt.energy << ", " << opt.edges.transpose() << "; the library " << own.energy << ", "
@@ -74,9 +77,10 @@ TEST(AireboCohesion, GraphiteHasLammpssLayers) {
   EXPECT_NEAR(r.energy - -7.4265837613, -0.05053, 1e-5);  // a sheet alone: LAMMPS's airebo
 }
 
+// Hexagonally packed: how x and y share the gap hardly costs energy, so that minimisations end anywhere.
 TEST(AireboCohesion, ABundleOfTubesHasLammpssGap) {
-  compare("bundle of (10, 10)",
-          structures::bundle_crystal(structures::periodic_tube(10, 10, 1), 1, 1, 16.45));
+  compare("bundle of (10, 10)", structures::bundle_crystal(structures::periodic_tube(10, 10, 1), 1, 1, 16.45),
+          true);
 }
 
 TEST(AireboCohesion, TheCrystalOfC60HasLammpssLatticeConstant) {
