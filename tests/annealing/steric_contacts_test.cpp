@@ -47,6 +47,20 @@ TEST(StericContacts, PairsAreFoundAgainAfterAtomsHaveMoved) {
   EXPECT_GT(contacts.evaluate(chains.positions, chains.graph, gradient), 0);
 }
 
+TEST(StericContacts, PairsAreFoundAgainWhereEverythingMovesFarAndTwoPartsMeet) {
+  Chains chains(4.5);
+  StericContacts contacts;
+  std::vector<Vec3> gradient(chains.positions.size(), Vec3::Zero());
+  contacts.renew(chains.positions, chains.neighbours);
+  for (int step = 1; step <= 20; ++step) {
+    for (AtomIndex a = 0; a < 16; ++a) chains.positions[a] += Vec3(0.7, 0.4, -1.1);
+    for (AtomIndex k = 8; k < 16; ++k) chains.positions[k].y() -= 0.1;
+    StericContacts fresh;
+    EXPECT_EQ(contacts.evaluate(chains.positions, chains.neighbours, gradient),
+              fresh.evaluate(chains.positions, chains.neighbours, gradient));
+  }
+}
+
 TEST(StericContacts, ForceIsTheSlopeOfTheEnergy) {
   const Vec3 a(0.1, 0.2, 0.3), b(1.4, -0.5, 1.9);
   Vec3 gradient = Vec3::Zero(), unused = Vec3::Zero();

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "nanocarbon/annealing/fixed_bond_rebo2.h"
@@ -21,7 +23,8 @@ double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a);
 
 //! \brief Keeps atoms apart that are not bonded: sheets that nearly touch, thin parts, folds.
 //! \details The fixed-bond energy does not know unbonded atoms. Pairs are taken from a cell list with a
-//! margin and renewed once an atom has moved half of it.
+//! margin and renewed once two atoms near each other may have come closer by it: parts that move as a whole
+//! do not count.
 class StericContacts {
  public:
   using Neighbours = std::vector<std::array<AtomIndex, 3>>;
@@ -39,9 +42,20 @@ class StericContacts {
   }
 
  private:
+  struct Block {  // of atoms that were in one cube of space
+    Vec3 shift = Vec3::Zero();
+    double spread = 0;  // square of how far an atom's shift is from the block's, at most
+    std::uint32_t atoms = 0;
+  };
+  void divide();
+  bool stale(std::span<const Vec3> positions, const Space& space);
+
   std::vector<std::size_t> offsets_;
   std::vector<AtomIndex> near_;
   std::vector<Vec3> reference_;
+  std::vector<std::uint32_t> block_of_;  // each atom's
+  std::vector<Block> blocks_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> adjacent_;  // blocks that touch
 };
 
 }  // namespace nanocarbon::annealing
