@@ -36,4 +36,12 @@ FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network, const Space& sp
   return graph;
 }
 
+multilevel::NodeGraph bonded_atoms(const FixedBondGraph& graph) {
+  std::vector<std::pair<AtomIndex, AtomIndex>> pairs;
+  for (AtomIndex a = 0; a < graph.neighbours.size(); ++a)
+    for (const AtomIndex n : graph.neighbours[a])
+      if (n != no_atom && n > a) pairs.emplace_back(a, n);
+  return multilevel::graph_of_pairs(graph.neighbours.size(), pairs);
+}
+
 }  // namespace nanocarbon::annealing

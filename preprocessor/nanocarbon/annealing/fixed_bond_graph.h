@@ -8,6 +8,7 @@
 
 #include "nanocarbon/annealing/trivalent_network.h"
 #include "nanocarbon/core/space.h"
+#include "nanocarbon/minimisation/multilevel/node_graph.h"
 #include "nanocarbon/molecule/molecule.h"
 
 namespace nanocarbon::annealing {
@@ -37,6 +38,9 @@ struct FixedBondGraph {
 //! The bond graph of a molecule.
 //! \throw UserError (unsuitable) if an atom has more than three bonds.
 FixedBondGraph fixed_bond_graph(const Molecule& molecule);
+
+//! The same graph as preconditioners want it.
+multilevel::NodeGraph bonded_atoms(const FixedBondGraph& graph);
 
 //! The bond graph of a network; unused atoms have no neighbours.
 FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network, const Space& space);

@@ -2,10 +2,26 @@
 #include "nanocarbon/annealing/fixed_bond_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "nanocarbon/annealing/network_guards.h"
+#include "nanocarbon/minimisation/multilevel/sheet_preconditioner.h"
 
 namespace nanocarbon::annealing {
+
+namespace {
+
+// A preconditioner costs about as much as so many iterations to set up: not worth it for a short relaxation.
+constexpr int least_iterations = 50;
+
+multilevel::Holds holds_of(std::span<const TangentPlane> planes, double tether) {
+  multilevel::Holds holds;
+  for (const TangentPlane& plane : planes) holds.push_back(std::sqrt(tether) * plane.normal);
+  return holds;
+}
+
+}  // namespace
 
 double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   double energy = rebo2.evaluate(positions, gradient);
@@ -19,12 +35,17 @@ minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const Teth
                                                std::vector<Vec3>& positions,
                                                const minimisation::LbfgsOptions& options, int renewal) {
   const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) { return model.evaluate(x, g); };
+  std::optional<multilevel::SheetPreconditioner> preconditioner;
+  if (positions.size() >= multilevel::least_atoms && options.max_iterations >= least_iterations)
+    preconditioner.emplace(model.rebo2.graph().space, positions, bonded_atoms(model.rebo2.graph()));
   minimisation::LbfgsResult result;
   int iterations = 0;
   do {
     if (surface) model.planes = tangent_planes(*surface, positions, model.planes);
+    if (preconditioner) preconditioner->renew(positions, holds_of(model.planes, model.tether));
     minimisation::LbfgsOptions part = options;
     part.max_iterations = options.max_iterations - iterations;
+    part.preconditioner = preconditioner ? &*preconditioner : nullptr;
     if (surface) part.max_iterations = std::min(part.max_iterations, renewal);
     result = minimisation::minimise_lbfgs(positions, energy, part);
     iterations += std::max(result.iterations, 1);

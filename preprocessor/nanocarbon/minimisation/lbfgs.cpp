@@ -6,6 +6,8 @@
 #include <cmath>
 #include <deque>
 
+#include "nanocarbon/minimisation/multilevel/sheet_preconditioner.h"
+
 namespace nanocarbon::minimisation {
 
 namespace {
@@ -29,18 +31,24 @@ struct Pair {
 // Initial inverse Hessian before there is any pair: carbon bonds have about 40 eV/Angstrom^2.
 constexpr double first_scale = 0.02;
 
-// Descent direction from the newest pairs.
-void set_direction(Eigen::Map<Vector> direction, const Eigen::Map<const Vector>& gradient,
-                   const std::deque<Pair>& pairs) {
-  direction = gradient;
+// Descent direction from the newest pairs. \param step scratch
+void set_direction(std::vector<Vec3>& way, std::vector<Vec3>& step, const std::vector<Vec3>& slope,
+                   const std::deque<Pair>& pairs, const multilevel::SheetPreconditioner* preconditioner) {
+  Eigen::Map<Vector> direction = flat(way);
+  direction = flat(std::span<const Vec3>(slope));
   std::vector<double> alpha(pairs.size());
   for (std::size_t k = pairs.size(); k-- > 0;) {
     alpha[k] = pairs[k].inverse_curvature * pairs[k].step.dot(direction);
     direction -= alpha[k] * pairs[k].change;
   }
-  double scale = first_scale;
-  if (!pairs.empty()) scale = 1 / (pairs.back().inverse_curvature * pairs.back().change.squaredNorm());
-  direction *= -scale;
+  if (preconditioner) {
+    preconditioner->apply(way, step);
+    direction = -flat(step);
+  } else {
+    double scale = first_scale;
+    if (!pairs.empty()) scale = 1 / (pairs.back().inverse_curvature * pairs.back().change.squaredNorm());
+    direction *= -scale;
+  }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const double beta = pairs[k].inverse_curvature * pairs[k].change.dot(direction);
     direction -= (alpha[k] + beta) * pairs[k].step;
@@ -67,15 +75,18 @@ LbfgsResult minimise_lbfgs(std::vector<Vec3>& positions, const EnergyFunction& e
     result.max_force = largest_norm(gradient);
     result.converged = result.max_force < options.force_tolerance;
     if (result.converged || result.iterations >= options.max_iterations) break;
-    set_direction(flat(direction), flat(std::span<const Vec3>(gradient)), pairs);
+    if (options.preconditioner) options.preconditioner->renew_if_strained(positions);
+    set_direction(direction, next, gradient, pairs, options.preconditioner);
     const double slope = flat(direction).dot(flat(gradient));
     if (!(slope < 0)) {
       if (pairs.empty()) break;
       pairs.clear();
       continue;
     }
-    const double longest = largest_norm(direction);
-    double factor = longest > options.max_step ? options.max_step / longest : 1;
+    const double longest =
+        options.preconditioner ? options.preconditioner->strain(direction) : largest_norm(direction);
+    const double limit = options.preconditioner ? options.max_strain : options.max_step;
+    double factor = longest > limit ? limit / longest : 1;
     const double rounding = 1e-14 * (std::abs(result.energy) + static_cast<double>(n));
     double next_energy = 0;
     bool accepted = false;

@@ -2,9 +2,11 @@
 #include "nanocarbon/minimisation/minimise_molecule.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "nanocarbon/core/neighbours_within.h"
 #include "nanocarbon/core/space.h"
+#include "nanocarbon/minimisation/multilevel/sheet_preconditioner.h"
 
 namespace nanocarbon::minimisation {
 
@@ -43,9 +45,16 @@ EnergyFunction energy_of(const Molecule& molecule, potential::Potential& potenti
 
 MinimisationResult minimise_molecule(Molecule& molecule, potential::Potential& potential,
                                      const MinimisationOptions& options) {
-  const LbfgsResult relaxed =
-      minimise_lbfgs(molecule.positions, energy_of(molecule, potential),
-                     {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});
+  std::optional<multilevel::SheetPreconditioner> preconditioner;
+  if (molecule.size() >= multilevel::least_atoms) {
+    preconditioner.emplace(Space(molecule.cell), molecule.positions,
+                           multilevel::bonded_atoms(molecule.size(), molecule.bonds));
+    preconditioner->renew(molecule.positions);
+  }
+  const LbfgsResult relaxed = minimise_lbfgs(molecule.positions, energy_of(molecule, potential),
+                                             {.max_iterations = options.max_iterations,
+                                              .force_tolerance = options.force_tolerance,
+                                              .preconditioner = preconditioner ? &*preconditioner : nullptr});
   return {relaxed.energy, relaxed.max_force, relaxed.iterations, relaxed.converged,
           bonds_are_those_seen(molecule, potential.bond_cutoffs().carbon_carbon)};
 }

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/minimisation/multilevel/smoother.h"
+
+#include <algorithm>
+
+namespace nanocarbon::multilevel {
+
+namespace {
+
+constexpr std::uint32_t nodes_in_chunk = 1024;
+
+using FloatBlock = SymmetricBlock<float>;
+
+FloatBlock to_float(const Block& block) {
+  FloatBlock result;
+  for (std::size_t k = 0; k < 6; ++k) result[k] = static_cast<float>(block[k]);
+  return result;
+}
+
+struct Sum {
+  float x, y, z;
+};
+
+inline void subtract_product(Sum& sum, const FloatBlock& b, const float* v) {
+  sum.x -= b[0] * v[0] + b[1] * v[1] + b[2] * v[2];
+  sum.y -= b[1] * v[0] + b[3] * v[1] + b[4] * v[2];
+  sum.z -= b[2] * v[0] + b[4] * v[1] + b[5] * v[2];
+}
+
+inline void store_product(float* out, const FloatBlock& b, const Sum& v) {
+  out[0] = b[0] * v.x + b[1] * v.y + b[2] * v.z;
+  out[1] = b[1] * v.x + b[3] * v.y + b[4] * v.z;
+  out[2] = b[2] * v.x + b[4] * v.y + b[5] * v.z;
+}
+
+// Colours of chunks: chunks of one colour are not coupled.
+std::vector<std::uint32_t> colour_chunks(const NodeGraph& pattern) {
+  const auto chunks = static_cast<std::uint32_t>((pattern.size() + nodes_in_chunk - 1) / nodes_in_chunk);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> coupled;
+  std::vector<std::uint32_t> last(chunks, static_cast<std::uint32_t>(-1));
+  for (std::uint32_t i = 0; i < pattern.size(); ++i)
+    for (const std::uint32_t j : pattern.of(i)) {
+      const std::uint32_t own = i / nodes_in_chunk, other = j / nodes_in_chunk;
+      if (other <= own || last[other] == own) continue;
+      last[other] = own;
+      coupled.emplace_back(own, other);
+    }
+  const NodeGraph graph = graph_of_pairs(chunks, coupled);
+  std::vector<std::uint32_t> colour(chunks, 0);
+  for (std::uint32_t c = 0; c < chunks; ++c) {
+    std::vector<bool> taken(graph.of(c).size() + 1, false);
+    for (const std::uint32_t n : graph.of(c))
+      if (n < c && colour[n] < taken.size()) taken[colour[n]] = true;
+    colour[c] = static_cast<std::uint32_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
+  }
+  return colour;
+}
+
+}  // namespace
+
+Smoother::Smoother(const NodeGraph& pattern) {
+  const std::vector<std::uint32_t> colour = colour_chunks(pattern);
+  for (std::uint32_t c = 0; c < colour.size(); ++c) {
+    if (colours_.size() <= colour[c]) colours_.resize(colour[c] + 1);
+    colours_[colour[c]].push_back(c);
+  }
+  const auto before = [&](std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t a = colour[i / nodes_in_chunk], b = colour[j / nodes_in_chunk];
+    return a != b ? a < b : i < j;
+  };
+  rows_.reserve(pattern.size());
+  nodes_.reserve(pattern.nodes.size() - pattern.size());
+  place_.reserve(pattern.nodes.size() - pattern.size());
+  for (std::uint32_t i = 0; i < pattern.size(); ++i) {
+    const auto row = pattern.of(i);
+    const auto list = [&](bool first) {
+      for (std::uint32_t k = 0; k < row.size(); ++k)
+        if (row[k] != i && before(row[k], i) == first) {
+          nodes_.push_back(row[k]);
+          place_.push_back(k);
+        }
+      return static_cast<std::uint32_t>(nodes_.size());
+    };
+    const auto begin = static_cast<std::uint32_t>(nodes_.size());
+    const std::uint32_t middle = list(true);
+    rows_.push_back({begin, middle, list(false)});
+  }
+}
+
+void Smoother::set(const NodeGraph& pattern, const RowOf& row_of) {
+  blocks_.resize(nodes_.size());
+  inverse_.resize(rows_.size());
+  std::vector<Block> row;
+  for (std::uint32_t i = 0; i < rows_.size(); ++i) {
+    row_of(i, row);
+    const auto columns = pattern.of(i);
+    const auto own = std::lower_bound(columns.begin(), columns.end(), i) - columns.begin();
+    inverse_[i] = to_float(inverse(row[static_cast<std::size_t>(own)]));
+    for (std::uint32_t e = rows_[i].begin; e < rows_[i].end; ++e) blocks_[e] = to_float(row[place_[e]]);
+  }
+}
+
+template <typename Visit>
+void Smoother::for_chunks(Visit visit) const {
+  const auto size = static_cast<std::uint32_t>(rows_.size());
+  for (const std::vector<std::uint32_t>& colour : colours_)
+    for (const std::uint32_t chunk : colour)
+      for (std::uint32_t i = chunk * nodes_in_chunk; i < std::min(size, (chunk + 1) * nodes_in_chunk); ++i)
+        visit(i);
+}
+
+template <typename Visit>
+void Smoother::for_chunks_backwards(Visit visit) const {
+  const auto size = static_cast<std::uint32_t>(rows_.size());
+  for (std::size_t colour = colours_.size(); colour-- > 0;)
+    for (std::size_t k = colours_[colour].size(); k-- > 0;) {
+      const std::uint32_t chunk = colours_[colour][k], begin = chunk * nodes_in_chunk;
+      for (std::uint32_t i = std::min(size, begin + nodes_in_chunk); i-- > begin;) visit(i);
+    }
+}
+
+void Smoother::sweep_from_zero(const Displacements& b, Displacements& x, Displacements& residual) const {
+  for_chunks([&](std::uint32_t i) {
+    Sum sum = {b[3 * i], b[3 * i + 1], b[3 * i + 2]};
+    for (std::uint32_t e = rows_[i].begin; e < rows_[i].middle; ++e)
+      subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
+    store_product(&x[3 * i], inverse_[i], sum);
+  });
+  // What was swept before a node has been met by its own sweep.
+  for (std::uint32_t i = 0; i < rows_.size(); ++i) {
+    Sum sum = {0, 0, 0};
+    for (std::uint32_t e = rows_[i].middle; e < rows_[i].end; ++e)
+      subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
+    residual[3 * i] = sum.x;
+    residual[3 * i + 1] = sum.y;
+    residual[3 * i + 2] = sum.z;
+  }
+}
+
+void Smoother::sweep_back(const Displacements& b, Displacements& x) const {
+  for_chunks_backwards([&](std::uint32_t i) {
+    Sum sum = {b[3 * i], b[3 * i + 1], b[3 * i + 2]};
+    for (std::uint32_t e = rows_[i].begin; e < rows_[i].end; ++e)
+      subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
+    store_product(&x[3 * i], inverse_[i], sum);
+  });
+}
+
+}  // namespace nanocarbon::multilevel
