@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/analysis/analysis_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace nanocarbon::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json counts_json(std::span<const std::uint64_t> counts) {
+  Json json = Json::object();
+  for (std::size_t size = 0; size < counts.size(); ++size)
+    if (counts[size] > 0) json[std::to_string(size)] = counts[size];
+  return json;
+}
+
+Json distribution_json(const Distribution& d) {
+  if (d.spread.count == 0) return nullptr;
+  return {{"count", d.spread.count},
+          {"min", d.spread.min},
+          {"mean", d.spread.mean},
+          {"max", d.spread.max},
+          {"standard_deviation", d.spread.deviation},
+          {"histogram",
+           {{"from", d.histogram.from}, {"width", d.histogram.width}, {"counts", d.histogram.counts}}}};
+}
+
+Json named(std::span<const AtomIndex> atoms, std::span<const std::int64_t> ids) {
+  std::vector<std::int64_t> names;
+  names.reserve(atoms.size());
+  for (const AtomIndex a : atoms) names.push_back(ids[a]);
+  return names;
+}
+
+Json statistics_json(std::span<const std::uint64_t> counts, std::size_t atoms) {
+  Json per_atom = Json::object();
+  for (std::size_t size = 0; size < counts.size(); ++size)
+    if (counts[size] > 0)
+      per_atom[std::to_string(size)] = static_cast<double>(counts[size]) / static_cast<double>(atoms);
+  return {{"by_size", counts_json(counts)}, {"per_atom", per_atom}};
+}
+
+Json rings_json(const Pieces& pieces, std::span<const std::int64_t> ids) {
+  Json rings = {{"by_size", counts_json(pieces.ring_counts)}};
+  if (!pieces.king_counts.empty()) {
+    rings["atoms_searched"] = pieces.atoms_without_surface;
+    rings["king"] =
+        statistics_json(pieces.king_counts, std::max<std::size_t>(1, pieces.atoms_without_surface));
+    rings["primitive"] =
+        statistics_json(pieces.primitive_counts, std::max<std::size_t>(1, pieces.atoms_without_surface));
+  }
+  if (!pieces.rings_not_counted.empty()) rings["not_counted"] = pieces.rings_not_counted;
+  Json lists = Json::array();
+  for (std::size_t r = 0; r < pieces.rings.size(); ++r) lists.push_back(named(pieces.rings[r], ids));
+  rings["atoms"] = std::move(lists);
+  return rings;
+}
+
+Json pieces_json(const Pieces& pieces, std::span<const std::int64_t> ids) {
+  Json list = Json::array();
+  for (const Piece& piece : pieces.pieces) {
+    Json json = {{"atoms", piece.atoms}, {"first_atom", ids[piece.first]}, {"surface", piece.is_surface()}};
+    if (piece.is_surface())
+      json.update({{"has_rings", piece.topology.has_rings},
+                   {"euler_characteristic", piece.topology.euler_characteristic()},
+                   {"orientable", piece.topology.orientable},
+                   {"genus", piece.topology.genus},
+                   {"boundary_loops", piece.topology.boundary_loops}});
+    else
+      json["reason"] = piece.not_a_surface;
+    json["rings"] = name(piece.rings);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+std::map<std::string, std::size_t> kinds_of(std::span<const Defect> defects) {
+  std::map<std::string, std::size_t> kinds;
+  for (const Defect& defect : defects) ++kinds[defect.kind];
+  return kinds;
+}
+
+Json defects_json(std::span<const Defect> defects, std::span<const std::int64_t> ids) {
+  Json list = Json::array();
+  for (const Defect& defect : defects)
+    list.push_back({{"kind", defect.kind},
+                    {"ring_sizes", defect.ring_sizes},
+                    {"rings", defect.rings},
+                    {"atoms", named(defect.atoms, ids)},
+                    {"position", {defect.position.x(), defect.position.y(), defect.position.z()}}});
+  return {{"count", defects.size()}, {"by_kind", kinds_of(defects)}, {"list", std::move(list)}};
+}
+
+Json cell_json(const Molecule& molecule) {
+  if (!molecule.cell) return nullptr;
+  Json vectors = Json::array();
+  for (int d = 0; d < 3; ++d) {
+    const Vec3 edge = molecule.cell->vectors.col(d);
+    vectors.push_back({edge.x(), edge.y(), edge.z()});
+  }
+  return {{"vectors", vectors}, {"periodic", molecule.cell->periodic}};
+}
+
+template <typename Count>
+std::string listed(std::span<const Count> counts) {
+  std::string text;
+  for (std::size_t size = 0; size < counts.size(); ++size)
+    if (counts[size] > 0) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", size, counts[size]);
+  return text.empty() ? "none" : text;
+}
+
+std::string per_atom(std::span<const std::uint64_t> counts, std::size_t atoms) {
+  std::string text;
+  for (std::size_t size = 0; size < counts.size(); ++size)
+    if (counts[size] > 0)
+      text += fmt::format("{}{}: {:.4g}", text.empty() ? "" : ", ", size,
+                          static_cast<double>(counts[size]) / static_cast<double>(atoms));
+  return text.empty() ? "none" : text;
+}
+
+std::string topology_text(const Piece& piece) {
+  if (!piece.is_surface()) return "no surface: " + piece.not_a_surface;
+  if (!piece.topology.has_rings) return "no rings";
+  return fmt::format("{}, genus {}, Euler characteristic {}, {} boundary loop{}",
+                     piece.topology.orientable ? "orientable" : "one-sided", piece.topology.genus,
+                     piece.topology.euler_characteristic(), piece.topology.boundary_loops,
+                     piece.topology.boundary_loops == 1 ? "" : "s");
+}
+
+}  // namespace
+
+FrameSummary summarise(const Molecule& molecule, const Analysis& analysis) {
+  FrameSummary frame;
+  frame.atoms = molecule.size();
+  frame.bonds = molecule.bonds.size();
+  frame.pieces = analysis.pieces.pieces.size();
+  frame.ring_counts = analysis.pieces.ring_counts;
+  for (std::size_t k = 0; k < 3; ++k) frame.hybridisation[k] = analysis.bonds.share_with(k + 2);
+  frame.bond_mean = analysis.bonds.carbon_carbon.spread.mean;
+  frame.defects = analysis.defects.size();
+  frame.energy = analysis.energy;
+  return frame;
+}
+
+Json analysis_json(const Molecule& molecule, std::span<const std::int64_t> ids, const Analysis& analysis) {
+  const BondDistributions& b = analysis.bonds;
+  const Pieces& p = analysis.pieces;
+  Json json = {{"atoms", molecule.size()},
+               {"carbons", b.carbons},
+               {"hydrogens", b.hydrogens},
+               {"cell", cell_json(molecule)},
+               {"bonds",
+                {{"C-C", distribution_json(b.carbon_carbon)},
+                 {"C-H", distribution_json(b.carbon_hydrogen)},
+                 {"H-H", distribution_json(b.hydrogen_hydrogen)}}},
+               {"angles", distribution_json(b.angles)}};
+  Json coordination = Json::object();
+  for (std::size_t n = 0; n < b.carbons_with.size(); ++n)
+    if (b.carbons_with[n] > 0) coordination[std::to_string(n)] = b.carbons_with[n];
+  json["coordination"] = coordination;
+  json["hybridisation"] = {{"sp", b.share_with(2)}, {"sp2", b.share_with(3)}, {"sp3", b.share_with(4)}};
+  json["surface"] = p.all_surfaces();
+  if (p.all_surfaces() && !p.surface.problem)
+    json.update({{"euler_characteristic", p.surface.euler_characteristic},
+                 {"orientable", p.surface.orientable},
+                 {"genus", p.surface.genus},
+                 {"boundary_loops", p.surface.boundary_loops}});
+  json["rings"] = rings_json(p, ids);
+  json["pieces"] = pieces_json(p, ids);
+  json["defects"] = defects_json(analysis.defects, ids);
+  json["pyramidalisation"] = distribution_json(analysis.pyramidalisation);
+  json["mean_curvature"] = distribution_json(analysis.mean_curvature);
+  json["gaussian_curvature"] = distribution_json(analysis.gaussian_curvature);
+  if (analysis.energy)
+    json["energy"] = {{"potential", analysis.potential},
+                      {"total", *analysis.energy},
+                      {"per_atom", *analysis.energy / static_cast<double>(molecule.size())}};
+  return json;
+}
+
+Json frame_json(const FrameSummary& frame) {
+  const FrameChange& c = frame.change;
+  const auto list = [](std::span<const topology::BondedIds> bonds) {
+    Json result = Json::array();
+    for (const topology::BondedIds& bond : bonds) result.push_back({bond.first, bond.second});
+    return result;
+  };
+  Json json = {{"file", frame.file}, {"frame", frame.frame}};
+  if (frame.step) json["step"] = *frame.step;
+  json.update({{"atoms", frame.atoms},
+               {"bonds", frame.bonds},
+               {"pieces", frame.pieces},
+               {"rings", counts_json(frame.ring_counts)},
+               {"defects", frame.defects},
+               {"mean_bond", frame.bond_mean},
+               {"verdict", topology::name(c.verdict)}});
+  if (!c.reason.empty()) json["reason"] = c.reason;
+  json.update({{"broken", list(c.changes.broken)},
+               {"formed", list(c.changes.formed)},
+               {"repelled", c.repelled},
+               {"lost", c.lost},
+               {"added", c.added}});
+  if (frame.energy) json["energy"] = *frame.energy;
+  return json;
+}
+
+std::string analysis_table(const Molecule& molecule, std::span<const std::int64_t> ids,
+                           const Analysis& analysis) {
+  constexpr std::size_t most_lines = 8;
+  const BondDistributions& b = analysis.bonds;
+  const Pieces& p = analysis.pieces;
+  std::string table;
+  const auto line = [&](std::string_view title, const std::string& value) {
+    table += fmt::format("  {:<26}{}\n", title, value);
+  };
+  line("atoms", fmt::format("{}: {} carbon, {} hydrogen", molecule.size(), b.carbons, b.hydrogens));
+  const auto lengths = [&](const char* title, const Distribution& d) {
+    if (d.spread.count > 0)
+      line(title, fmt::format("{}; {:.3f} to {:.3f}, mean {:.4f}, deviation {:.4f}", d.spread.count,
+                              d.spread.min, d.spread.max, d.spread.mean, d.spread.deviation));
+  };
+  lengths("C-C bonds, A", b.carbon_carbon);
+  lengths("C-H bonds, A", b.carbon_hydrogen);
+  lengths("H-H bonds, A", b.hydrogen_hydrogen);
+  if (b.angles.spread.count > 0)
+    line("angles, degrees",
+         fmt::format("{:.1f} to {:.1f}, mean {:.2f}, deviation {:.2f}", b.angles.spread.min,
+                     b.angles.spread.max, b.angles.spread.mean, b.angles.spread.deviation));
+  line("carbons by bonds", listed<std::size_t>(b.carbons_with));
+  line("sp, sp2, sp3", fmt::format("{:.2f}%, {:.2f}%, {:.2f}%", 100 * b.share_with(2), 100 * b.share_with(3),
+                                   100 * b.share_with(4)));
+  line("rings by size", listed<std::uint64_t>(p.ring_counts));
+  if (!p.king_counts.empty()) {
+    const std::size_t atoms = std::max<std::size_t>(1, p.atoms_without_surface);
+    line("King's rings an atom", per_atom(p.king_counts, atoms));
+    line("primitive rings an atom", per_atom(p.primitive_counts, atoms));
+  }
+  if (!p.rings_not_counted.empty()) line("rings", p.rings_not_counted);
+  std::vector<std::size_t> order(p.pieces.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t x, std::size_t y) { return p.pieces[x].atoms > p.pieces[y].atoms; });
+  line("pieces", std::to_string(p.pieces.size()));
+  for (std::size_t k = 0; k < std::min(order.size(), most_lines); ++k) {
+    const Piece& piece = p.pieces[order[k]];
+    line(fmt::format("  from atom ID {}", ids[piece.first]),
+         fmt::format("{} atoms; {}", piece.atoms, topology_text(piece)));
+  }
+  if (order.size() > most_lines) line("  ...", fmt::format("and {} smaller ones", order.size() - most_lines));
+  line("defects", std::to_string(analysis.defects.size()));
+  for (const auto& [kind, count] : kinds_of(analysis.defects)) line("  " + kind, std::to_string(count));
+  const auto values = [&](const char* title, const Distribution& d) {
+    if (d.spread.count > 0)
+      line(title, fmt::format("{:.4g} to {:.4g}, mean {:.4g}, deviation {:.4g}", d.spread.min, d.spread.max,
+                              d.spread.mean, d.spread.deviation));
+  };
+  values("pyramidalisation, deg", analysis.pyramidalisation);
+  values("mean curvature, 1/A", analysis.mean_curvature);
+  values("Gaussian curvature, 1/A2", analysis.gaussian_curvature);
+  if (analysis.energy)
+    line("energy, eV/atom",
+         fmt::format("{:.5f} ({})", *analysis.energy / static_cast<double>(molecule.size()),
+                     analysis.potential));
+  return table;
+}
+
+std::string frames_csv(std::span<const FrameSummary> frames) {
+  std::string text =
+      "file,frame,step,atoms,bonds,pieces,verdict,broken,formed,repelled,lost,sp,sp2,sp3,rings_3,rings_4,"
+      "rings_5,"
+      "rings_6,rings_7,rings_8,rings_larger,defects,mean_bond,energy\n";
+  for (const FrameSummary& f : frames) {
+    const auto rings = [&](std::size_t size) {
+      return size < f.ring_counts.size() ? f.ring_counts[size] : 0;
+    };
+    std::uint64_t larger = 0;
+    for (std::size_t size = 9; size < f.ring_counts.size(); ++size) larger += f.ring_counts[size];
+    std::string file = f.file;
+    if (file.find_first_of(",\"\n") != std::string::npos) {
+      std::string quoted = "\"";
+      for (const char c : file) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+      file = quoted + "\"";
+    }
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},", file, f.frame,
+                        f.step ? std::to_string(*f.step) : "", f.atoms, f.bonds, f.pieces,
+                        topology::name(f.change.verdict), f.change.changes.broken.size(),
+                        f.change.changes.formed.size(), f.change.repelled.size(), f.change.lost.size(),
+                        f.hybridisation[0], f.hybridisation[1], f.hybridisation[2]);
+    for (std::size_t size = 3; size <= 8; ++size) text += fmt::format("{},", rings(size));
+    text += fmt::format("{},{},{},{}\n", larger, f.defects, f.bond_mean,
+                        f.energy ? fmt::format("{}", *f.energy) : "");
+  }
+  return text;
+}
+
+}  // namespace nanocarbon::analysis

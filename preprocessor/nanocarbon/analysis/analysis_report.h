@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What an analysis has found, as JSON and as a table.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "nanocarbon/analysis/analyse.h"
+
+namespace nanocarbon::analysis {
+
+//! A frame as the tables of frames show it.
+struct FrameSummary {
+  std::string file;
+  std::size_t frame = 0;             //!< within the file, from 0
+  std::optional<std::int64_t> step;  //!< where the file says
+  std::size_t atoms = 0, bonds = 0, pieces = 0;
+  FrameChange change;                        //!< since the first frame of all
+  std::vector<std::uint64_t> ring_counts;    //!< by size
+  std::array<double, 3> hybridisation = {};  //!< shares of sp, sp2, sp3
+  double bond_mean = 0.0;                    //!< of carbon with carbon, Angstrom
+  std::size_t defects = 0;
+  std::optional<double> energy;  //!< eV
+};
+
+FrameSummary summarise(const Molecule& molecule, const Analysis& analysis);
+
+//! \brief An analysis as JSON: keys are documented in preprocessor/doc/analysis.md.
+//! \param ids of the atoms: lists of atoms are lists of these
+nlohmann::ordered_json analysis_json(const Molecule& molecule, std::span<const std::int64_t> ids,
+                                     const Analysis& analysis);
+
+//! A frame's line of the list `frames`.
+nlohmann::ordered_json frame_json(const FrameSummary& frame);
+
+//! The gist for a terminal, a fact a line.
+std::string analysis_table(const Molecule& molecule, std::span<const std::int64_t> ids,
+                           const Analysis& analysis);
+
+//! The header and the lines of a CSV file with one line a frame.
+std::string frames_csv(std::span<const FrameSummary> frames);
+
+}  // namespace nanocarbon::analysis
