@@ -61,7 +61,7 @@ if newer "$data" "$mesh" "$program" "$folder/build.command"; then
   echo "The molecule $data is up to date."
 else
   "$program" build "$mesh" -o "$data" --xyz "$folder/$name.xyz" --mesh "$folder/$name-mesh.ply" \
-    --report "$folder/$name-report.json" ${potential[@]+"${potential[@]}"} "$@"
+    --report "$folder/$name-report.json" --page "$folder/$name.html" ${potential[@]+"${potential[@]}"} "$@"
 fi
 
 log=$folder/$name.log
@@ -86,5 +86,6 @@ echo
 grep '^verdict:' "$log"
 echo
 printf '  %-12s %s\n' data "$data" log "$log" trajectory "$folder/$name.lammpstrj" \
-  "before" "$folder/$name-before.png" after "$folder/$name-after.png" report "$folder/$name-report.json"
+  "before" "$folder/$name-before.png" after "$folder/$name-after.png" report "$folder/$name-report.json" \
+  "look at it" "$folder/$name.html"
 grep -q '^verdict: intact' "$log"

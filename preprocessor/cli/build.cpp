@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "build_command.h"
+#include "build_page.h"
 #include "command_text.h"
 #include "nanocarbon/building/build_report.h"
 #include "nanocarbon/building/facing_sheets.h"
@@ -57,11 +58,12 @@ void require_different_files(const BuildCommand& command, const std::vector<fs::
 
 void require_outputs(const BuildCommand& command) {
   std::vector<fs::path> outputs{command.data};
-  for (const auto& output : {command.xyz, command.triangulation, command.report})
+  for (const auto& output : {command.xyz, command.triangulation, command.report, command.page})
     if (output) outputs.push_back(*output);
   for (const fs::path& output : outputs) require_writable(output);
   require_different_files(command, outputs);
   if (command.triangulation) mesh::format_to_write(*command.triangulation);
+  if (command.page) page::require_pages();
 }
 
 // The errors of building do not know the file.
@@ -94,6 +96,9 @@ void write_outputs(const BuildCommand& command, const building::BuildResult& res
     });
   }
   if (command.report) files.add(*command.report, [&](std::ostream& out) { out << report.dump(2) << '\n'; });
+  if (command.page)
+    files.add(*command.page,
+              [&](std::ostream& out) { page::write_page(out, build_page(command, result, report)); });
   files.publish();
 }
 

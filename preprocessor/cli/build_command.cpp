@@ -87,6 +87,9 @@ void add_output_options(CLI::App& sub, BuildCommand& c) {
       ->type_name("FILE");
   sub.add_option("--report", c.report, "Also write everything known about the result, as JSON")
       ->type_name("FILE");
+  sub.add_option("--page", c.page,
+                 "Also write a page to look at: the molecule and the mesh in 3D, plots, the verdict (HTML)")
+      ->type_name("FILE");
 }
 
 void add_recipe_options(CLI::App& sub, BuildCommand& c) {

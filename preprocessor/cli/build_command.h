@@ -18,7 +18,7 @@ namespace nanocarbon::cli {
 struct BuildCommand {
   std::string mesh;
   std::filesystem::path data;
-  std::optional<std::filesystem::path> xyz, triangulation, report;
+  std::optional<std::filesystem::path> xyz, triangulation, report, page;
   std::string atoms;  //!< a number, "fit", or empty
   std::optional<double> length, scale;
   std::optional<double> min_bond, max_bond, local_threshold;

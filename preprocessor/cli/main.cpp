@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "analyse.h"
 #include "build.h"
 #include "energy.h"
 #include "inspect.h"
@@ -40,6 +41,7 @@ int run(int argc, char** argv) {
   nanocarbon::cli::add_build(app);
   nanocarbon::cli::add_make(app);
   nanocarbon::cli::add_energy(app);
+  nanocarbon::cli::add_analyse(app);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("nanocarbon: error: {}\nRun with --help for more information.\n", error.what());
   });

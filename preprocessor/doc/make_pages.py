@@ -19,6 +19,7 @@ SUMMARIES = {
     "nanocarbon inspect": "tell what a mesh is, and every reason why it cannot be used",
     "nanocarbon build": "make a carbon molecule from a mesh",
     "nanocarbon energy": "evaluate the REBO2 potential of a molecule",
+    "nanocarbon analyse": "tell what structures and trajectories of carbon are made of",
     "nanocarbon make": "make known carbon structures, and shapes as meshes",
 }
 

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analyse.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "analysed_xyz.h"
+#include "command_text.h"
+#include "common_options.h"
+#include "nanocarbon/analysis/analysis_report.h"
+#include "nanocarbon/analysis/dual_triangulation.h"
+#include "nanocarbon/building/potential_choice.h"
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/core/output_file.h"
+#include "nanocarbon/core/version.h"
+#include "nanocarbon/mesh/formats/write_mesh.h"
+#if __has_include("nanocarbon/molecule/formats/read_molecule.h")
+#include "nanocarbon/molecule/formats/read_molecule.h"
+#else
+#include "nanocarbon/molecule/formats/lammps_data.h"
+#include "nanocarbon/molecule/formats/xyz.h"
+#endif
+#include "nanocarbon/page/structure_page.h"
+#include "number_checks.h"
+#include "progress_bar.h"
+
+namespace nanocarbon::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct AnalyseCommand {
+  std::vector<std::string> files;
+  std::string boundary, potential = "rebo2", rings = "auto";
+  std::optional<fs::path> xyz, csv, mesh, page;
+  topology::BondWindow carbon_carbon = topology::BondDistances().carbon_carbon;
+  std::size_t every = 1;
+  int max_ring = 12;
+  unsigned threads = available_cores();
+  bool json = false, quiet = false;
+  std::string command_line;
+};
+
+struct Frame {
+  Molecule molecule;
+  std::vector<std::int64_t> ids;
+  std::optional<std::int64_t> step;
+};
+
+building::PotentialChoice choice_of(const std::string& potential) {
+  if (potential == "airebo") return building::PotentialChoice::airebo;
+  if (potential == "airebo-m") return building::PotentialChoice::airebo_m;
+  return building::PotentialChoice::rebo2;
+}
+
+std::array<bool, 3> parse_boundary(const std::string& text) {
+  std::array<bool, 3> periodic = {};
+  std::string letters = text;
+  std::erase(letters, ' ');
+  if (letters.size() != 3 || letters.find_first_not_of("pfsm") != std::string::npos)
+    throw UserError(Failure::usage,
+                    "--boundary takes three letters as of LAMMPS, such as 'p p f', not '" + text + "'");
+  for (int d = 0; d < 3; ++d) periodic[d] = letters[d] == 'p';
+  return periodic;
+}
+
+#if __has_include("nanocarbon/molecule/formats/read_molecule.h")
+// The frames of a file, one after the other.
+class Frames {
+ public:
+  Frames(const std::string& file, const std::string& boundary)
+      : name_(file), file_(file, options_of(boundary)) {}
+
+  std::optional<Frame> next() {
+    std::optional<molecule::MoleculeFrame> frame = file_.next();
+    if (!frame) return std::nullopt;
+    if (first_)
+      for (const std::string& warning : frame->warnings)
+        fmt::print(stderr, "nanocarbon: warning: {}: {}\n", name_, warning);
+    first_ = false;
+    return Frame{std::move(frame->molecule), std::move(frame->ids), frame->step};
+  }
+
+ private:
+  static molecule::MoleculeReadOptions options_of(const std::string& boundary) {
+    molecule::MoleculeReadOptions options;
+    if (!boundary.empty()) options.periodic = parse_boundary(boundary);
+    return options;
+  }
+
+  std::string name_;
+  molecule::MoleculeFile file_;
+  bool first_ = true;
+};
+#else
+class Frames {
+ public:
+  Frames(const std::string& file, const std::string& boundary) : frames_(read(file, boundary)) {}
+
+  std::optional<Frame> next() {
+    if (next_ == frames_.size()) return std::nullopt;
+    return std::move(frames_[next_++]);
+  }
+
+ private:
+  static std::vector<Frame> read(const std::string& file, const std::string& boundary) {
+    std::string ending = fs::path(file).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    std::vector<Frame> frames;
+    if (ending == ".xyz" || ending == ".extxyz") {
+      for (Molecule& molecule : molecule::read_xyz_frames(file)) {
+        Frame frame{std::move(molecule), {}, {}};
+        for (std::size_t i = 0; i < frame.molecule.size(); ++i)
+          frame.ids.push_back(static_cast<std::int64_t>(i) + 1);
+        frames.push_back(std::move(frame));
+      }
+      return frames;
+    }
+    molecule::LammpsReadOptions options;
+    if (!boundary.empty()) options.periodic = parse_boundary(boundary);
+    molecule::LammpsData data = molecule::read_lammps_data(file, options);
+    frames.push_back({std::move(data.molecule), std::move(data.ids), {}});
+    return frames;
+  }
+
+  std::vector<Frame> frames_;
+  std::size_t next_ = 0;
+};
+#endif
+
+// What is kept of the frames gone through.
+struct Findings {
+  std::vector<analysis::FrameSummary> frames;
+  Frame last;
+  analysis::Analysis analysis;
+  analysis::FrameChange change;
+  page::PageFrames page_frames;
+  std::size_t bonds_of_file = 0, bonds_differing = 0;  // of the first frame, where its file lists bonds
+};
+
+std::string label_of(const analysis::FrameSummary& frame) {
+  return fmt::format("{}, frame {}{}: {}", fs::path(frame.file).filename().string(), frame.frame + 1,
+                     frame.step ? fmt::format(", step {}", *frame.step) : "",
+                     topology::name(frame.change.verdict));
+}
+
+class Analyser {
+ public:
+  explicit Analyser(const AnalyseCommand& command) : command_(command) {
+    if (command.potential != "none") {
+      potential_ = building::make_potential(choice_of(command.potential));
+      options_.potential = potential_.get();
+    }
+    distances_.carbon_carbon = command.carbon_carbon;
+    options_.pieces.max_ring = command.max_ring;
+    options_.pieces.threads = command.threads;
+    if (command.rings == "king") options_.pieces.rings = analysis::RingChoice::king;
+    if (command.rings == "primitive") options_.pieces.rings = analysis::RingChoice::primitive;
+  }
+
+  void run(std::ostream* xyz) {
+    ProgressBar bar(command_.quiet || command_.json);
+    for (const std::string& file : command_.files) {
+      Frames frames(file, command_.boundary);
+      std::size_t number = 0;
+      for (; std::optional<Frame> frame = frames.next(); ++number) {
+        if (number % command_.every != 0) continue;
+        bar.show(fmt::format("analysing frame {}", number + 1), 0.0);
+        take(file, number, std::move(*frame), xyz);
+      }
+    }
+    if (findings.frames.empty())
+      throw UserError(Failure::unsuitable, command_.files.front() + ": there are no atoms in it");
+  }
+
+  Findings findings;
+
+ private:
+  void take(const std::string& file, std::size_t number, Frame frame, std::ostream* xyz) {
+    if (frame.molecule.size() == 0)
+      throw UserError(Failure::unsuitable,
+                      fmt::format("{}: there are no atoms in frame {}", file, number + 1));
+    const std::vector<Bond> listed = std::move(frame.molecule.bonds);
+    analysis::NamedBonds bonds =
+        analysis::frame_bonds(frame.molecule, frame.ids, distances_, before_ ? &*before_ : nullptr);
+    frame.molecule.bonds = bonds.bonds;
+    findings.analysis = analysis::analyse(frame.molecule, frame.ids, options_);
+    if (!start_) {
+      start_ = bonds;
+      start_surface_ = findings.analysis.pieces.surface;
+      compare_with_listed(listed, frame.molecule.bonds);
+    }
+    analysis::FrameSummary summary = analysis::summarise(frame.molecule, findings.analysis);
+    summary.file = file;
+    summary.frame = number;
+    summary.step = frame.step;
+    summary.change =
+        analysis::compare_frames(*start_, start_surface_, bonds, findings.analysis.pieces.surface);
+    const std::vector<analysis::AtomFate> fates = analysis::atom_fates(frame.ids, summary.change);
+    if (command_.page)
+      findings.page_frames.offer(
+          page::structure_frame(frame.molecule, findings.analysis, fates, label_of(summary)));
+    if (xyz)
+      write_analysed_xyz(*xyz, frame.molecule, frame.ids, findings.analysis, fates,
+                         fmt::format("{} (nanocarbon {})", command_.command_line, version));
+    findings.change = summary.change;
+    findings.frames.push_back(std::move(summary));
+    findings.last = std::move(frame);
+    before_ = std::move(bonds);
+  }
+
+  void compare_with_listed(const std::vector<Bond>& listed, const std::vector<Bond>& found) {
+    if (listed.empty()) return;
+    const auto changes = topology::compare_bonds(topology::bonded_ids(listed), topology::bonded_ids(found));
+    findings.bonds_of_file = listed.size();
+    findings.bonds_differing = changes.broken.size() + changes.formed.size();
+  }
+
+  const AnalyseCommand& command_;
+  analysis::AnalyseOptions options_;
+  topology::BondDistances distances_;
+  std::unique_ptr<potential::Potential> potential_;
+  std::optional<analysis::NamedBonds> start_, before_;
+  topology::SurfaceTopology start_surface_;
+};
+
+Json json_of(const AnalyseCommand& command, const Findings& found) {
+  Json json = {{"nanocarbon", version}, {"command", command.command_line}};
+  json["file"] = found.frames.back().file;
+  json["frame"] = found.frames.back().frame;
+  json.update(analysis::analysis_json(found.last.molecule, found.last.ids, found.analysis));
+  if (found.bonds_of_file > 0)
+    json["bonds_of_file"] = {{"count", found.bonds_of_file}, {"differing", found.bonds_differing}};
+  json["verdict"] = topology::name(found.change.verdict);
+  Json frames = Json::array();
+  for (const analysis::FrameSummary& frame : found.frames) frames.push_back(analysis::frame_json(frame));
+  json["frames"] = std::move(frames);
+  return json;
+}
+
+void print_frames(const Findings& found) {
+  const analysis::FrameChange& c = found.change;
+  const auto changed = std::find_if(found.frames.begin(), found.frames.end(),
+                                    [](const auto& frame) { return !frame.change.changes.none(); });
+  fmt::print("  {:<26}{}{}\n", "verdict", topology::name(c.verdict), c.reason.empty() ? "" : ": " + c.reason);
+  fmt::print("  {:<26}{} bonds broken, {} formed, {} atoms repelled, {} of them lost\n",
+             "since the first frame", c.changes.broken.size(), c.changes.formed.size(), c.repelled.size(),
+             c.lost.size());
+  if (!c.added.empty())
+    fmt::print("  {:<26}{} atoms that the first frame does not have\n", "added", c.added.size());
+  if (changed != found.frames.end())
+    fmt::print("  {:<26}frame {} of {}{}\n", "first change", changed->frame + 1, changed->file,
+               changed->step ? fmt::format(", step {}", *changed->step) : "");
+}
+
+void print_text(const Findings& found) {
+  const analysis::FrameSummary& last = found.frames.back();
+  fmt::print("{}{}\n{}", last.file,
+             found.frames.size() > 1
+                 ? fmt::format(", frame {} (of {} looked at)", last.frame + 1, found.frames.size())
+                 : "",
+             analysis::analysis_table(found.last.molecule, found.last.ids, found.analysis));
+  if (found.frames.size() > 1) print_frames(found);
+}
+
+page::PageContents page_of(const AnalyseCommand& command, Findings& found) {
+  page::PageContents contents;
+  contents.title = fs::path(command.files.front()).filename().string();
+  contents.command = fmt::format("{} (nanocarbon {})", command.command_line, version);
+  page::add_trajectory(contents, found.frames);
+  page::add_analysis(contents, found.last.molecule, found.last.ids, found.analysis);
+  contents.frames = found.page_frames.take();
+  if (contents.frames.size() < found.frames.size())
+    contents.facts.emplace_back("frames shown",
+                                fmt::format("{} of {}", contents.frames.size(), found.frames.size()));
+  return contents;
+}
+
+void run(const AnalyseCommand& command) {
+  if (command.carbon_carbon.form > command.carbon_carbon.breaking)
+    throw UserError(Failure::usage,
+                    fmt::format("--form {} is above --break {}: a bond would break as it forms",
+                                command.carbon_carbon.form, command.carbon_carbon.breaking));
+  if (command.mesh) mesh::format_to_write(*command.mesh);
+  if (command.page) page::require_pages();
+  Analyser analyser(command);
+  OutputFiles files;
+  if (command.xyz)
+    files.add(*command.xyz, [&](std::ostream& out) { analyser.run(&out); });
+  else
+    analyser.run(nullptr);
+  Findings& found = analyser.findings;
+  if (found.bonds_differing > 0 && !command.quiet)
+    fmt::print(stderr, "nanocarbon: warning: {}: {} bonds by distance are not those that the file lists\n",
+               command.files.front(), found.bonds_differing);
+  if (command.csv)
+    files.add(*command.csv, [&](std::ostream& out) { out << analysis::frames_csv(found.frames); });
+  if (command.mesh) {
+    const analysis::DualTriangulation dual =
+        analysis::dual_triangulation(found.last.molecule, found.last.ids, command.max_ring);
+    files.add(*command.mesh, [&](std::ostream& out) {
+      mesh::write_mesh(out, mesh::format_to_write(*command.mesh), dual.mesh, {});
+    });
+  }
+  if (command.page)
+    files.add(*command.page, [&](std::ostream& out) { page::write_page(out, page_of(command, found)); });
+  files.publish();
+  if (command.json)
+    fmt::print("{}\n", json_of(command, found).dump(2));
+  else if (!command.quiet)
+    print_text(found);
+}
+
+}  // namespace
+
+void add_analyse(CLI::App& app) {
+  CLI::App& sub =
+      *app.add_subcommand("analyse", "Tell bonds, rings, topology, defects and energies of structures");
+  const auto command = std::make_shared<AnalyseCommand>();
+  AnalyseCommand& c = *command;
+  sub.add_option("FILE", c.files,
+                 "LAMMPS data or XYZ files; several are frames of one trajectory, in this order")
+      ->required();
+  sub.add_flag("--json", c.json,
+               "Print JSON with everything, lists of the atoms of each ring and defect too");
+  sub.add_option("--xyz", c.xyz, "Write all frames with what is known of each atom as columns (extended XYZ)")
+      ->type_name("FILE");
+  sub.add_option("--csv", c.csv, "Write a table with a line for each frame")->type_name("FILE");
+  sub.add_option("--mesh", c.mesh,
+                 "Write the triangulation whose dual the last frame is: .off, .obj, .ply or .stl")
+      ->type_name("FILE");
+  sub.add_option("--page", c.page,
+                 "Write a page to look at: the structure in 3D, plots, defects, frames (HTML)")
+      ->type_name("FILE");
+  sub.add_option("--form", c.carbon_carbon.form, "Carbon atoms nearer than this become bonded, Angstrom")
+      ->check(above_zero())
+      ->capture_default_str();
+  sub.add_option("--break", c.carbon_carbon.breaking,
+                 "Carbon atoms bonded in the frame before are so up to here, Angstrom")
+      ->check(above_zero())
+      ->capture_default_str();
+  sub.add_option("--rings", c.rings,
+                 "auto (faces of surfaces, King's rings elsewhere), king, or primitive (shortest-path rings)")
+      ->check(CLI::IsMember({"auto", "king", "primitive"}))
+      ->capture_default_str();
+  sub.add_option("--max-ring", c.max_ring, "The largest ring; larger faces are holes")
+      ->transform(whole_number())
+      ->check(between(3, 64))
+      ->capture_default_str();
+  sub.add_option("--potential", c.potential, "Of the energies: rebo2, airebo, airebo-m, or none")
+      ->check(CLI::IsMember({"rebo2", "airebo", "airebo-m", "none"}))
+      ->capture_default_str();
+  sub.add_option("--every", c.every, "Look at every Nth frame of each file only")
+      ->transform(whole_number())
+      ->check(between(1, 1e9))
+      ->capture_default_str();
+  sub.add_option(
+      "--boundary", c.boundary,
+      "Which directions of a data file are periodic, such as 'p p f'; overrides what the file says");
+  sub.add_option("--threads", c.threads, "Threads to use; by default as many as there are cores")
+      ->transform(whole_number())
+      ->check(between(1, 1024))
+      ->default_str("cores");
+  sub.add_flag("-q,--quiet", c.quiet, "Print nothing but errors");
+  sub.footer(R"(Bonds are told by distance; a bond stays until --break. Rings of a surface are its faces.
+Examples:
+  nanocarbon analyse bunny.data
+  nanocarbon analyse run.xyz --xyz columns.xyz --csv frames.csv
+  nanocarbon analyse amorphous.data --json --max-ring 10
+  nanocarbon analyse relaxed.data --mesh dual.off)");
+  sub.callback([command, &sub] {
+    command->command_line = command_text(sub);
+    run(*command);
+  });
+}
+
+}  // namespace nanocarbon::cli

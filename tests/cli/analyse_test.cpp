@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// `nanocarbon analyse` as a user runs it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/run_program.h"
+
+namespace nanocarbon::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+test::ProgramOutcome run(const std::string& arguments) {
+  return test::run_command(NANOCARBON_PROGRAM " " + arguments);
+}
+
+std::string scratch(const std::string& name) {
+  return (std::filesystem::path(testing::TempDir()) / ("nanocarbon_analyse_" + name)).string();
+}
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Analyse, C60HasItsBondsRingsTopologyAndPyramidalisation) {
+  const std::string data = scratch("c60.data");
+  ASSERT_EQ(run("make fullerene 1 1 -q -o " + data).exit_code, 0);
+  const json c60 = json::parse(run("analyse " + data + " --json").output);
+  EXPECT_EQ(c60["atoms"], 60);
+  EXPECT_EQ(c60["bonds"]["C-C"]["count"], 90);
+  EXPECT_EQ(c60["rings"]["by_size"], json({{"5", 12}, {"6", 20}}));
+  EXPECT_EQ(c60["rings"]["atoms"].size(), 32u);
+  EXPECT_EQ(c60["euler_characteristic"], 2);
+  EXPECT_EQ(c60["pieces"][0]["genus"], 0);
+  EXPECT_EQ(c60["hybridisation"]["sp2"], 1.0);
+  EXPECT_EQ(c60["defects"]["by_kind"], json({{"pentagon", 12}}));
+  EXPECT_NEAR(c60["pyramidalisation"]["mean"], 11.64, 0.1);
+  EXPECT_EQ(c60["bonds_of_file"], json({{"count", 90}, {"differing", 0}}));
+  const std::string table = run("analyse " + data).output;
+  EXPECT_THAT(table, HasSubstr("5: 12, 6: 20"));
+  EXPECT_THAT(table, HasSubstr("orientable, genus 0, Euler characteristic 2, 0 boundary loops"));
+}
+
+TEST(Analyse, OfSeveralFramesComparesEachWithTheFirst) {
+  const std::string xyz = scratch("run.xyz"), csv = scratch("run.csv"), columns = scratch("columns.xyz");
+  std::ofstream(xyz) << "3\n\nC 0 0 0\nC 1.4 0 0\nC 2.8 0 0\n"
+                     << "3\n\nC 0 0 0\nC 1.4 0 0\nC 3.3 0 0\n"  // stretched, not broken
+                     << "3\n\nC 0 0 0\nC 1.4 0 0\nC 3.6 0 0\n";
+  const test::ProgramOutcome outcome = run("analyse " + xyz + " --json --csv " + csv + " --xyz " + columns);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const json found = json::parse(outcome.output);
+  ASSERT_EQ(found["frames"].size(), 3u);
+  EXPECT_EQ(found["frames"][1]["verdict"], "intact");
+  EXPECT_EQ(found["frames"][2]["verdict"], "broken");
+  EXPECT_EQ(found["frames"][2]["broken"], json::parse("[[2, 3]]"));
+  EXPECT_EQ(found["frames"][2]["repelled"], json::parse("[3]"));
+  EXPECT_EQ(found["verdict"], "broken");
+  const std::string table = contents(csv);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
+  EXPECT_THAT(table, HasSubstr(",broken,1,0,1,0,"));
+  const std::string all = contents(columns);
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 15);
+  EXPECT_THAT(run("analyse " + xyz).output, HasSubstr("1 bonds broken, 0 formed, 1 atoms repelled"));
+  EXPECT_EQ(json::parse(run("analyse " + xyz + " --every 2 --json").output)["frames"].size(), 2u);
+}
+
+TEST(Analyse, AMeshThatItWritesBuildsTheMoleculeAgain) {
+  const std::string data = scratch("c240.data"), mesh = scratch("c240.off"), again = scratch("again.data");
+  ASSERT_EQ(run("make fullerene 2 2 -q -o " + data).exit_code, 0);
+  ASSERT_EQ(run("analyse " + data + " -q --mesh " + mesh).exit_code, 0);
+  const test::ProgramOutcome built =
+      run("build " + mesh + " --scale 1 --recipe thesis --iterations 0 -q -o " + again);
+  ASSERT_EQ(built.exit_code, 0) << built.output;
+  const json a = json::parse(run("analyse --json " + data).output),
+             b = json::parse(run("analyse --json " + again).output);
+  EXPECT_EQ(a["rings"]["by_size"], b["rings"]["by_size"]);
+}
+
+TEST(Analyse, SaysWhatIsWrongAndExitsWithItsCode) {
+  const std::string data = scratch("sheet.data");
+  ASSERT_EQ(run("make graphene --cells 3 2 -q -o " + data).exit_code, 0);
+  const test::ProgramOutcome periodic = run("analyse " + data + " --mesh " + scratch("sheet.off"));
+  EXPECT_EQ(periodic.exit_code, 5);
+  EXPECT_THAT(periodic.output, HasSubstr("periodic"));
+  EXPECT_FALSE(std::filesystem::exists(scratch("sheet.off")));
+  EXPECT_EQ(run("analyse " + data + " --form 2.1").exit_code, 2);
+  EXPECT_EQ(run("analyse " + data + " --mesh " + scratch("sheet.png")).exit_code, 2);
+  EXPECT_EQ(run("analyse " + scratch("nowhere.data")).exit_code, 3);
+  const std::string empty = scratch("empty.xyz");
+  std::ofstream(empty) << "0\n\n";
+  EXPECT_EQ(run("analyse " + empty).exit_code, 5);
+}
+
+}  // namespace
+}  // namespace nanocarbon::cli
