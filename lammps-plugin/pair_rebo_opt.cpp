@@ -5,7 +5,7 @@
 
 #include "atom.h"
 #include "nanocarbon/potential/rebo2/parameter_file.h"
-#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
 
 using namespace LAMMPS_NS;
 

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "nanocarbon/potential/rebo2/rebo2.h"
-#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
 #include "potential/rebo2/comparison_structures.h"

@@ -6,7 +6,7 @@
 #include "nanocarbon/potential/rebo2/coordination_tables.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
 #include "nanocarbon/potential/rebo2/sp2_constants.h"
-#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
 
 namespace nanocarbon::annealing {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "nanocarbon/annealing/fixed_bond_graph.h"
-#include "nanocarbon/potential/rebo2/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 
 namespace nanocarbon::annealing {
 

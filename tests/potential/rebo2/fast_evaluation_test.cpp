@@ -6,7 +6,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/potential/rebo2/rebo2.h"
-#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/schwarzite.h"

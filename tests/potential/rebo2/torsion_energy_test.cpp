@@ -7,7 +7,7 @@
 
 #include "nanocarbon/potential/periodic_copies.h"
 #include "nanocarbon/potential/rebo2/mixed_evaluation.h"
-#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
 #include "nanocarbon/structures/diamond.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "nanocarbon/potential/airebo/exclusions.h"
-#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
 
 namespace nanocarbon::airebo {
 

@@ -9,7 +9,7 @@
 #include "nanocarbon/potential/rebo2/general_evaluation.h"
 #include "nanocarbon/potential/rebo2/sp2_blocks.h"
 #include "nanocarbon/potential/rebo2/sp2_constants.h"
-#include "nanocarbon/potential/rebo2/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 #include "nanocarbon/potential/rebo2/torsion_energy.h"
 
 namespace nanocarbon::rebo2 {

@@ -6,8 +6,8 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/potential/periodic_copies.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
 #include "nanocarbon/potential/rebo2/mixed_evaluation.h"
-#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
 
 namespace nanocarbon::rebo2 {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "nanocarbon/potential/near_pairs.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
-#include "nanocarbon/potential/rebo2/sp2_kernel.h"
 
 namespace nanocarbon::rebo2 {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nanocarbon/potential/rebo2/bond_order.h"
-#include "nanocarbon/potential/rebo2/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 
 namespace nanocarbon::rebo2 {
 

@@ -2,24 +2,9 @@
 // The loops of sp2_kernel.h for vectors of NANOCARBON_LANES doubles. Included once by each sp2_kernel_*.cpp,
 // inside whose unnamed namespace everything stays. Written with the vector types of GCC and Clang.
 
-constexpr int lanes = NANOCARBON_LANES;
-using Real = double __attribute__((vector_size(8 * lanes)));
-using Mask = long long __attribute__((vector_size(8 * lanes)));
+#include "nanocarbon/potential/rebo2/kernels/lanes_kernel_body.h"
+
 static_assert(sp2_block % lanes == 0 && sp2_block <= 32);
-
-struct Vector {
-  Real x, y, z;
-};
-
-inline Real all(double value) { return Real{} + value; }
-
-inline Real load(const double* from) {
-  Real value;
-  __builtin_memcpy(&value, from, sizeof value);
-  return value;
-}
-
-inline void store(double* to, Real value) { __builtin_memcpy(to, &value, sizeof value); }
 
 inline Vector load_vector(const double* from) {
   return {load(from), load(from + sp2_block), load(from + 2 * sp2_block)};
@@ -29,31 +14,6 @@ inline void store(double* to, const Vector& v) {
   store(to, v.x);
   store(to + sp2_block, v.y);
   store(to + 2 * sp2_block, v.z);
-}
-
-inline Real square_root(Real x) {
-#if defined(__AVX512F__) && NANOCARBON_LANES == 8
-  return (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
-#elif defined(__AVX__) && NANOCARBON_LANES == 4
-  return (Real)_mm256_sqrt_pd((__m256d)x);
-#elif defined(__SSE2__) && NANOCARBON_LANES == 2
-  return (Real)_mm_sqrt_pd((__m128d)x);
-#elif defined(__aarch64__) && NANOCARBON_LANES == 2
-  return (Real)vsqrtq_f64((float64x2_t)x);
-#else
-  for (int l = 0; l < lanes; ++l) x[l] = __builtin_sqrt(x[l]);
-  return x;
-#endif
-}
-
-inline Real larger(Real a, Real b) { return a > b ? a : b; }
-inline Real dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vector scaled(const Vector& a, Real f) { return {a.x * f, a.y * f, a.z * f}; }
-
-inline void add(Vector& a, const Vector& b, Real f) {
-  a.x += b.x * f;
-  a.y += b.y * f;
-  a.z += b.z * f;
 }
 
 // The sine of an angle outside the fast case must not make infinities: such lanes are multiplied by zero.
@@ -90,21 +50,6 @@ inline Vector across(const Vector& axis, const Vector& arm, Real cosine, Real in
 struct Arm {
   int arm, angle;
 };
-
-struct ValueAndSlope {
-  Real value, slope;
-};
-
-template <int degree>
-inline ValueAndSlope polynomial(const double* coefficients, Real x) {
-  Real value = all(coefficients[degree]);
-  Real slope = Real{};
-  for (int power = degree - 1; power >= 0; --power) {
-    slope = slope * x + value;
-    value = value * x + coefficients[power];
-  }
-  return {value, slope};
-}
 
 inline ValueAndSlope angular(const Sp2Constants& c, Real x) {
   const Mask in1 = x >= c.knots[0], in2 = x >= c.knots[1], in3 = x >= c.knots[2];

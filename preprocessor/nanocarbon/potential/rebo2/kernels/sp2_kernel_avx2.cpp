@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Compiled with the options for AVX2 and FMA; empty where the compiler does not make these instructions.
-#include "nanocarbon/potential/rebo2/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 
 #if defined(__AVX2__) && defined(__FMA__)
 #include <immintrin.h>
@@ -10,7 +10,7 @@
 namespace nanocarbon::rebo2 {
 
 namespace {
-#include "nanocarbon/potential/rebo2/sp2_kernel_body.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel_body.h"
 }  // namespace
 
 const Sp2Kernel* sp2_kernel_avx2() {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "nanocarbon/potential/rebo2/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 
 namespace nanocarbon::rebo2 {
 

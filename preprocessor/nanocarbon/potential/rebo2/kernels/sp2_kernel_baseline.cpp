@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "nanocarbon/potential/rebo2/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -12,7 +12,7 @@
 namespace nanocarbon::rebo2 {
 
 namespace {
-#include "nanocarbon/potential/rebo2/sp2_kernel_body.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel_body.h"
 }  // namespace
 
 const Sp2Kernel* sp2_kernel_baseline() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "nanocarbon/potential/rebo2/sp2_dispatch.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
 
-#include "nanocarbon/potential/rebo2/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 
 namespace nanocarbon::rebo2 {
 
