@@ -5,8 +5,16 @@
 #include <bit>
 
 #include "nanocarbon/potential/rebo2/conjugation.h"
+#include "nanocarbon/potential/rebo2/lane_constants.h"
 
 namespace nanocarbon::rebo2 {
+
+namespace {
+
+//! With more atoms than this outside the fast case, evaluating all in the lane loops takes less time.
+constexpr double most_outside = 0.1;
+
+}  // namespace
 
 MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Kernel& kernel,
                                  const std::optional<TorsionBarriers>& torsion)
@@ -15,7 +23,9 @@ MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Ker
       bond_constants_(sp2_bond_constants(parameters.tables)),
       torsion_(torsion),
       loops_(torsion ? kernel.with_torsion : kernel.bond_order),
-      fast_applies_(sp2_case_applies(parameters)) {
+      fast_applies_(sp2_case_applies(parameters)),
+      lanes_apply_(lane_loops_apply(parameters)),
+      lanes_(parameters, *kernel.any, torsion) {
   const double cutoff = parameters.pairs[pair_index(Element::carbon, Element::carbon)].cutoff_end;
   watch_squared_ = cutoff * cutoff;
   if (torsion) {
@@ -28,6 +38,25 @@ MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Ker
   std::fill_n(&plain_.pi[0][0], 3 * sp2_block, bond_constants_.pi);
 }
 
+bool MixedEvaluation::is_mostly_sp2(const potential::AtomsView& atoms,
+                                    const potential::NearPairs& near) const {
+  std::size_t outside = 0;
+  for (std::uint32_t i = 0; i < atoms.own; ++i) {
+    const Eigen::Map<const Vec3> from(atoms.positions + 3 * std::size_t{i});
+    int whole = 0, other = 0;
+    for (const std::uint32_t j : near.of(i)) {
+      const double squared =
+          (Eigen::Map<const Vec3>(atoms.positions + 3 * std::size_t{j}) - from).squaredNorm();
+      if (!(squared < watch_squared_)) continue;
+      const bool in_range = squared > constants_.shortest * constants_.shortest &&
+                            squared < constants_.longest * constants_.longest;
+      (atoms.elements[j] == Element::carbon && in_range ? whole : other) += 1;
+    }
+    outside += atoms.elements[i] != Element::carbon || whole != 3 || other != 0;
+  }
+  return static_cast<double>(outside) <= most_outside * atoms.own;
+}
+
 void MixedEvaluation::make_blocks(const potential::AtomsView& atoms, const potential::NearPairs& near) {
   blocks_ = make_sp2_blocks(atoms, near, parameters_);
   geometry_.resize(12 * sp2_block * blocks_.slot_count);
@@ -38,7 +67,6 @@ void MixedEvaluation::make_blocks(const potential::AtomsView& atoms, const poten
   modified_blocks_.clear();
   general_flag_.assign(atoms.all, 0);
   general_.clear();
-  blocks_are_good_ = true;
 }
 
 Sp2Modifiers* MixedEvaluation::modifiers_of(std::uint32_t place) {
@@ -243,12 +271,30 @@ EnergyParts MixedEvaluation::run_fast_loops(const Sp2Data& data) {
 EnergyParts MixedEvaluation::evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near,
                                       double* forces, const potential::AtomShares& shares,
                                       bool general_only) {
-  if (general_only || !fast_applies_ || shares.virials || (torsion_ && shares.energies)) {
-    general_own_ = atoms.own;
-    const Model model(parameters_, torsion_ ? &*torsion_ : nullptr);
-    return evaluate_general(atoms, near, model, workspace_, forces, shares);
+  if (!general_only && !shares.virials && !(torsion_ && shares.energies)) {
+    if (!lists_are_good_) {
+      use_lanes_ = lanes_apply_ && !(fast_applies_ && is_mostly_sp2(atoms, near));
+      if (use_lanes_)
+        lanes_.near_changed(atoms, near);
+      else if (fast_applies_)
+        make_blocks(atoms, near);
+      lists_are_good_ = true;
+    }
+    general_own_ = 0;
+    if (use_lanes_) {
+      if (const auto energy = lanes_.evaluate(atoms, forces, shares.energies)) return *energy;
+    } else if (fast_applies_) {
+      return evaluate_mixed(atoms, near, forces, shares);
+    }
   }
-  if (!blocks_are_good_) make_blocks(atoms, near);
+  general_own_ = atoms.own;
+  const Model model(parameters_, torsion_ ? &*torsion_ : nullptr);
+  return evaluate_general(atoms, near, model, workspace_, forces, shares);
+}
+
+EnergyParts MixedEvaluation::evaluate_mixed(const potential::AtomsView& atoms,
+                                            const potential::NearPairs& near, double* forces,
+                                            const potential::AtomShares& shares) {
   if (shares.energies) edge_energies_.resize(3 * sp2_block * blocks_.own_blocks);
   const Sp2Data data = {&constants_,
                         atoms.positions,
@@ -278,7 +324,8 @@ EnergyParts MixedEvaluation::evaluate(const potential::AtomsView& atoms, const p
 }
 
 std::size_t MixedEvaluation::memory() const {
-  return sizeof(double) * (geometry_.capacity() + tensors_.capacity() + edge_energies_.capacity()) +
+  return lanes_.memory() +
+         sizeof(double) * (geometry_.capacity() + tensors_.capacity() + edge_energies_.capacity()) +
          sizeof(std::uint32_t) * (blocks_.neighbours.capacity() + blocks_.reverses.capacity() +
                                   blocks_.atoms.capacity() + blocks_.place.capacity() + outside_.capacity()) +
          sizeof(Sp2Modifiers) * modifier_pool_.capacity();

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "nanocarbon/potential/rebo2/general_evaluation.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
+#include "nanocarbon/potential/rebo2/lane_evaluation.h"
 #include "nanocarbon/potential/rebo2/sp2_blocks.h"
 #include "nanocarbon/potential/rebo2/sp2_constants.h"
-#include "nanocarbon/potential/rebo2/kernels/sp2_kernel.h"
 #include "nanocarbon/potential/rebo2/torsion_energy.h"
 
 namespace nanocarbon::rebo2 {
@@ -21,6 +22,9 @@ namespace nanocarbon::rebo2 {
 //! atoms has its dihedrals there too, unless a coordination that N_conj depends on is fractional; where it is
 //! whole but not three, only the bond's constants differ. AIREBO's torsion energy of a bond goes with its
 //! dihedrals.
+//!
+//! Where more than a few atoms were outside the fast case when lists were made, everything is left to
+//! LaneEvaluation.
 class MixedEvaluation {
  public:
   //! \param torsion adds AIREBO's torsion energy
@@ -28,7 +32,7 @@ class MixedEvaluation {
                   const std::optional<TorsionBarriers>& torsion = {});
 
   //! To be called whenever the atoms, their elements or the near pairs have changed.
-  void near_changed() { blocks_are_good_ = false; }
+  void near_changed() { lists_are_good_ = false; }
 
   //! \brief Arguments and result as of evaluate_general(), with the torsion energy if there is one.
   //! \details Virials of single atoms are shared out term by term, so they come from the general terms alone;
@@ -36,6 +40,8 @@ class MixedEvaluation {
   EnergyParts evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near, double* forces,
                        const potential::AtomShares& shares, bool general_only = false);
 
+  //! Whether the last evaluation took the lane loops for everything.
+  bool uses_lanes() const { return use_lanes_; }
   //! Own atoms that the last evaluation left to the general terms.
   std::size_t general_atoms() const { return general_own_; }
   //! Bytes held by the arrays that grow with the atoms.
@@ -47,6 +53,7 @@ class MixedEvaluation {
   bool is_fast(std::uint32_t atom) const {
     return blocks_.place[atom] != Sp2Blocks::nowhere && !general_flag_[atom];
   }
+  bool is_mostly_sp2(const potential::AtomsView& atoms, const potential::NearPairs& near) const;
   void make_blocks(const potential::AtomsView& atoms, const potential::NearPairs& near);
   Sp2Modifiers* modifiers_of(std::uint32_t place);
   void reset_modifiers();
@@ -60,6 +67,8 @@ class MixedEvaluation {
   void switch_off_outside(std::size_t begin_block, std::size_t end_block);
   //! Constants of bonds between fast atoms whose N_conj depends on an atom with four neighbours.
   void modify_crowded_bonds(const potential::AtomsView& atoms);
+  EnergyParts evaluate_mixed(const potential::AtomsView& atoms, const potential::NearPairs& near,
+                             double* forces, const potential::AtomShares& shares);
   EnergyParts run_fast_loops(const Sp2Data& data);
   void find_general_bonds(const potential::AtomsView& atoms, const potential::NearPairs& near);
   void set_bond_constants(std::uint32_t at, int s, const Sp2BondConstants& constants);
@@ -74,8 +83,11 @@ class MixedEvaluation {
   double watch_squared_;
 
   bool fast_applies_;
+  bool lanes_apply_;
 
-  bool blocks_are_good_ = false;
+  LaneEvaluation lanes_;
+  bool use_lanes_ = false;
+  bool lists_are_good_ = false;
   Sp2Blocks blocks_;
   std::vector<double> geometry_;
   std::vector<double> tensors_;

@@ -22,6 +22,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "nanocarbon/potential/rebo2/kernels/lane_kernel.h"
+
 namespace nanocarbon::rebo2 {
 
 //! Atoms are worked on in blocks of this many; per-atom arrays are laid out [block][piece][lane].
@@ -91,6 +93,7 @@ struct Sp2Kernel {
   const char* name;
   Sp2Loops bond_order;    //!< the bond-order energy alone
   Sp2Loops with_torsion;  //!< AIREBO's torsion energy as well
+  const LaneLoops* any;   //!< those for any carbon and hydrogen
 };
 
 //! The loops for any processor of this architecture (SSE2 on x86-64, NEON on ARM), for AVX2 with FMA, and for

@@ -14,7 +14,8 @@ namespace {
 }  // namespace
 
 const Sp2Kernel* sp2_kernel_avx512() {
-  static const Sp2Kernel kernel = {"avx512", {first<false>, second<false>}, {first<true>, second<true>}};
+  static const Sp2Kernel kernel = {
+      "avx512", {first<false>, second<false>}, {first<true>, second<true>}, lane_loops_avx512()};
   return &kernel;
 }
 

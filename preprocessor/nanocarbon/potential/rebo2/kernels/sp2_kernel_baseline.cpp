@@ -16,7 +16,8 @@ namespace {
 }  // namespace
 
 const Sp2Kernel* sp2_kernel_baseline() {
-  static const Sp2Kernel kernel = {"generic", {first<false>, second<false>}, {first<true>, second<true>}};
+  static const Sp2Kernel kernel = {
+      "generic", {first<false>, second<false>}, {first<true>, second<true>}, lane_loops_baseline()};
   return &kernel;
 }
 

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The lane loops against the general terms, which are themselves held against LAMMPS.
+#include "nanocarbon/potential/rebo2/lane_evaluation.h"
+
+#include <gmock/gmock.h>
+
+#include "nanocarbon/potential/periodic_copies.h"
+#include "nanocarbon/potential/rebo2/general_evaluation.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
+#include "potential/rebo2/comparison_structures.h"
+
+namespace nanocarbon::rebo2 {
+namespace {
+
+constexpr TorsionBarriers barriers = {{0.3078851086, 0.1786600912, 0.1249753356}};
+
+struct Evaluated {
+  EnergyParts energy;
+  std::vector<double> forces;
+  std::vector<double> atom_energies;
+};
+
+//! A structure with its copies.
+struct Surroundings {
+  explicit Surroundings(const Molecule& m)
+      : near(potential::find_near_atoms(m.positions, m.cell ? &*m.cell : nullptr, 2.4)),
+        elements(m.elements) {
+    potential::place_atoms(m.positions, m.cell ? &*m.cell : nullptr, near, positions);
+    for (const potential::PeriodicCopy& copy : near.copies) elements.push_back(m.elements[copy.of]);
+  }
+  potential::AtomsView view() const {
+    return {positions.data(), elements.data(), near.own, static_cast<std::uint32_t>(elements.size())};
+  }
+  potential::NearAtoms near;
+  std::vector<double> positions;
+  std::vector<Element> elements;
+};
+
+//! \param torsion whether with AIREBO's torsion energy, which energies of single atoms do not go with
+struct Case {
+  const Sp2Kernel* kernel;
+  bool torsion;
+};
+
+class LaneEvaluationOf : public testing::TestWithParam<Case> {
+ protected:
+  std::optional<TorsionBarriers> torsion_ = GetParam().torsion ? std::optional(barriers) : std::nullopt;
+  LaneEvaluation lanes_{rebo2_parameters(), *GetParam().kernel->any, torsion_};
+
+  std::optional<Evaluated> evaluate(const Surroundings& s) {
+    Evaluated result = {{}, std::vector<double>(s.positions.size()), std::vector<double>(s.elements.size())};
+    lanes_.near_changed(s.view(), s.near.pairs);
+    const auto energy =
+        lanes_.evaluate(s.view(), result.forces.data(), torsion_ ? nullptr : result.atom_energies.data());
+    if (!energy) return {};
+    result.energy = *energy;
+    return result;
+  }
+
+  Evaluated evaluate_by_terms(const Surroundings& s) const {
+    Evaluated result = {{}, std::vector<double>(s.positions.size()), std::vector<double>(s.elements.size())};
+    GeneralWorkspace workspace;
+    potential::AtomShares shares;
+    if (!torsion_) shares.energies = result.atom_energies.data();
+    result.energy =
+        evaluate_general(s.view(), s.near.pairs, Model(rebo2_parameters(), torsion_ ? &*torsion_ : nullptr),
+                         workspace, result.forces.data(), shares);
+    return result;
+  }
+
+  void expect_same(const Molecule& m, const std::string& name) {
+    const Surroundings s(m);
+    const auto found = evaluate(s);
+    ASSERT_TRUE(found) << name;
+    const Evaluated expected = evaluate_by_terms(s);
+    const double scale = 1e-12 * static_cast<double>(m.size());
+    EXPECT_NEAR(found->energy.repulsive, expected.energy.repulsive, scale) << name;
+    EXPECT_NEAR(found->energy.sigma_pi, expected.energy.sigma_pi, scale) << name;
+    EXPECT_NEAR(found->energy.conjugation, expected.energy.conjugation, scale) << name;
+    EXPECT_NEAR(found->energy.dihedral, expected.energy.dihedral, scale) << name;
+    EXPECT_NEAR(found->energy.torsion, expected.energy.torsion, scale) << name;
+    for (std::size_t i = 0; i < expected.forces.size(); ++i)
+      ASSERT_NEAR(found->forces[i], expected.forces[i], 1e-10 * std::max(1.0, std::abs(expected.forces[i])))
+          << name << ", component " << i;
+    for (std::size_t i = 0; i < expected.atom_energies.size(); ++i)
+      ASSERT_NEAR(found->atom_energies[i], expected.atom_energies[i], 1e-11) << name << ", atom " << i;
+  }
+};
+
+TEST_P(LaneEvaluationOf, GivesWhatTheGeneralTermsGiveForCrystalsMoleculesAndClusters) {
+  for (const test::ComparisonStructure& structure : test::comparison_structures())
+    expect_same(structure.molecule, structure.name);
+}
+
+// Forces from energies alone, whatever the general terms say.
+TEST_P(LaneEvaluationOf, ForcesAreTheSlopeOfTheEnergy) {
+  for (const unsigned seed : {3u, 17u, 40u}) {
+    Molecule m = test::random_cluster(seed);
+    const auto at_rest = evaluate(Surroundings(m));
+    ASSERT_TRUE(at_rest);
+    constexpr double step = 1e-5;
+    for (std::size_t i = 0; i < m.size(); ++i)
+      for (int d = 0; d < 3; ++d) {
+        const auto energy_at = [&](double shift) {
+          Molecule moved = m;
+          moved.positions[i][d] += shift;
+          return evaluate(Surroundings(moved))->energy.total();
+        };
+        const double slope = (energy_at(step) - energy_at(-step)) / (2.0 * step);
+        EXPECT_NEAR(at_rest->forces[3 * i + d], -slope, 1e-6 * std::max(10.0, std::abs(slope)));
+      }
+  }
+}
+
+//! A carbon with as many others around it, evenly over a sphere of 1.9 Angstrom, in the cut-off window.
+Molecule star(int neighbours) {
+  Molecule m;
+  m.positions.push_back(Vec3::Zero());
+  for (int n = 0; n < neighbours; ++n) {
+    const double z = 1.0 - (2.0 * n + 1.0) / neighbours, turn = 2.399963 * n, rho = std::sqrt(1.0 - z * z);
+    m.positions.push_back(1.9 * Vec3(rho * std::cos(turn), rho * std::sin(turn), z));
+  }
+  m.elements.assign(m.positions.size(), Element::carbon);
+  return m;
+}
+
+// Both branches of g, and the switch between them, are for five bonds and more.
+TEST_P(LaneEvaluationOf, TakesCarbonOfEveryCoordinationThatFits) {
+  for (int neighbours = 1; neighbours <= lane_most_bonds; ++neighbours)
+    for (const double scale : {1.0, 0.88}) {
+      Molecule m = star(neighbours);
+      for (Vec3& p : m.positions) p *= scale;
+      expect_same(m, "star of " + std::to_string(neighbours));
+    }
+}
+
+TEST_P(LaneEvaluationOf, LeavesMoreBondsThanThatAlone) {
+  EXPECT_FALSE(evaluate(Surroundings(star(lane_most_bonds + 1))));
+  EXPECT_TRUE(evaluate(Surroundings(star(lane_most_bonds))));
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const Sp2Kernel* kernel : usable_sp2_kernels())
+    for (const bool torsion : {false, true}) all.push_back({kernel, torsion});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernel, LaneEvaluationOf, testing::ValuesIn(cases()), [](const auto& given) {
+  return std::string(given.param.kernel->name) + (given.param.torsion ? "_with_torsion" : "");
+});
+
+}  // namespace
+}  // namespace nanocarbon::rebo2
