@@ -124,7 +124,7 @@ bool PairBondOrder::moved_far() const {
     const double moved = x * x + y * y + z * z;
     farthest = moved > farthest ? moved : farthest;
   }
-  return !(farthest <= 0.25 * margin * margin);
+  return !(farthest <= 0.25 * listed_margin_ * listed_margin_);
 }
 
 PairBondOrder::Lists PairBondOrder::update_near() {
@@ -157,29 +157,82 @@ void PairBondOrder::refuse_missing_neighbours() const {
   }
 }
 
+//! Adds the neighbours of an atom that are near enough.
+void PairBondOrder::add_near_row(int i, const std::vector<char>& is_listed,
+                                 std::vector<std::uint32_t>& to) const {
+  if (!is_listed[i]) return;
+  const double* x = atom->x[0];
+  const double* at = x + 3 * std::size_t(i);
+  const int* neighbours = list->firstneigh[i];
+  const int count = list->numneigh[i];
+  std::array<double, 2> squared_reach;
+  for (const Element other : {Element::carbon, Element::hydrogen}) {
+    const double reach = bond_cutoff_[rebo2::pair_index(elements_[i], other)] + margin;
+    squared_reach[static_cast<std::size_t>(other)] = reach * reach;
+  }
+  std::size_t n = to.size();
+  to.resize(n + count);
+  for (int k = 0; k < count; ++k) {
+    const int j = neighbours[k] & NEIGHMASK;
+    const double* p = x + 3 * std::size_t(j);
+    const double a = p[0] - at[0], b = p[1] - at[1], c = p[2] - at[2];
+    to[n] = static_cast<std::uint32_t>(j);
+    n += a * a + b * b + c * c < squared_reach[static_cast<std::size_t>(elements_[j])];
+  }
+  to.resize(n);
+}
+
 void PairBondOrder::find_near_pairs() {
   if (neighbor->ago == 0) refuse_missing_neighbours();
-  const int all = atom->nlocal + atom->nghost;
+  const int own = atom->nlocal;
+  const int all = own + atom->nghost;
   const double* x = all > 0 ? atom->x[0] : nullptr;
   listed_positions_.assign(x, x + 3 * std::size_t(all));
+  listed_margin_ = margin;
   elements_.resize(all);
   for (int i = 0; i < all; ++i)
     elements_[i] = static_cast<Element>(std::max(0, element_of_type_[atom->type[i]]));
+  std::vector<char> is_listed(all, 0);
+  for (int n = 0; n < list->inum + list->gnum; ++n) is_listed[list->ilist[n]] = 1;
 
-  std::vector<int> list_place(all, -1);
-  for (int n = 0; n < list->inum + list->gnum; ++n) list_place[list->ilist[n]] = n;
   near_.offsets.assign(1, 0);
   near_.atoms.clear();
-  const double cutoff = longest_bond_ + margin;
-  for (int i = 0; i < all; ++i) {
-    if (list_place[i] >= 0)
-      for (int n = 0; n < list->numneigh[i]; ++n) {
-        const int j = list->firstneigh[i][n] & NEIGHMASK;
-        double squared = 0.0;
-        for (int d = 0; d < 3; ++d) squared += (x[3 * j + d] - x[3 * i + d]) * (x[3 * j + d] - x[3 * i + d]);
-        if (squared < cutoff * cutoff) near_.atoms.push_back(j);
-      }
-    near_.offsets.push_back(static_cast<std::uint32_t>(near_.atoms.size()));
+  const auto close_row = [&] { near_.offsets.push_back(static_cast<std::uint32_t>(near_.atoms.size())); };
+  for (int i = 0; i < own; ++i) {
+    add_near_row(i, is_listed, near_.atoms);
+    close_row();
+  }
+  if (all_ghosts_have_bonds) {
+    for (int i = own; i < all; ++i) {
+      add_near_row(i, is_listed, near_.atoms);
+      close_row();
+    }
+    return;
+  }
+  // Ghosts that own atoms see, then those that these see.
+  std::vector<std::uint32_t> pairs, begin(all - own, 0), end(all - own, 0);
+  std::vector<std::uint32_t> shell, next;
+  std::vector<char> has_row(all - own, 0);
+  const auto reach = [&](std::uint32_t j) {
+    if (j < static_cast<std::uint32_t>(own) || has_row[j - own]) return;
+    has_row[j - own] = 1;
+    next.push_back(j);
+  };
+  for (const std::uint32_t j : near_.atoms) reach(j);
+  for (int step = 0; step < 2; ++step) {
+    shell.swap(next);
+    next.clear();
+    for (const std::uint32_t i : shell) {
+      begin[i - own] = static_cast<std::uint32_t>(pairs.size());
+      add_near_row(static_cast<int>(i), is_listed, pairs);
+      end[i - own] = static_cast<std::uint32_t>(pairs.size());
+      if (step == 0)
+        for (std::uint32_t k = begin[i - own]; k < end[i - own]; ++k) reach(pairs[k]);
+    }
+  }
+  for (int i = 0; i < all - own; ++i) {
+    near_.atoms.insert(near_.atoms.end(), pairs.begin() + begin[i], pairs.begin() + end[i]);
+    close_row();
   }
 }
 

@@ -32,8 +32,10 @@ class PairBondOrder : public LAMMPS_NS::Pair {
   void* extract(const char* name, int& dimension) override;
 
  protected:
-  //! Pairs that are further apart than a bond by up to this are kept, Angstrom.
-  static constexpr double margin = 0.4;
+  //! Pairs that are further apart than a bond by up to this are kept when they are next looked for, Angstrom.
+  double margin = 0.4;
+  //! Whether ghosts that are more than two bonds away from own atoms need near pairs.
+  bool all_ghosts_have_bonds = true;
 
   //! Reads the potential file.
   //! \return where bonds end
@@ -68,6 +70,7 @@ class PairBondOrder : public LAMMPS_NS::Pair {
   [[noreturn]] void stop(const std::string& message) const;
   std::string read_path(const char* file) const;
   void find_near_pairs();
+  void add_near_row(int i, const std::vector<char>& is_listed, std::vector<std::uint32_t>& to) const;
   void refuse_missing_neighbours() const;
   bool elements_are_same() const;
   bool moved_far() const;
@@ -80,6 +83,7 @@ class PairBondOrder : public LAMMPS_NS::Pair {
   potential::NearPairs near_;
   std::vector<Element> elements_;         // own and ghost atoms
   std::vector<double> listed_positions_;  // where these were when near_ was made
+  double listed_margin_ = 0.0;
   std::vector<potential::Virial> virials_;
 };
 
