@@ -16,9 +16,17 @@ std::string number(double value) {
   return text;
 }
 
-std::optional<AtomicNumber> by_mass(const WatchedType& type) {
-  const auto lightest = atomic_number_of_mass(type.lightest);
-  return lightest == atomic_number_of_mass(type.heaviest) ? lightest : std::nullopt;
+// 0 where the masses are no element's, or of several.
+int atomic_number_by_mass(const WatchedType& type) {
+  const int lightest = atomic_number_of_mass(type.lightest).value_or(0);
+  return lightest == atomic_number_of_mass(type.heaviest).value_or(0) ? lightest : 0;
+}
+
+// 0 where nothing is said.
+int atomic_number_said(const SaidElements& said, int type) {
+  const auto index = static_cast<std::size_t>(type);
+  if (index >= said.of_type.size() || !said.of_type[index]) return 0;
+  return said.of_type[index] == Element::carbon ? 6 : 1;
 }
 
 std::string described(const WatchedType& type) {
@@ -51,21 +59,18 @@ TypeElements type_elements(int all_types, const std::vector<WatchedType>& types,
   TypeElements result;
   result.of_type.assign(static_cast<std::size_t>(all_types) + 1, Element::carbon);
   for (const WatchedType& type : types) {
-    const auto index = static_cast<std::size_t>(type.type);
-    std::optional<Element> element = index < said.of_type.size() ? said.of_type[index] : std::nullopt;
-    const std::string by = element ? " by " + said.by : "";
-    const auto z = by_mass(type);
-    if (!element && z == 6) element = Element::carbon;
-    if (!element && z == 1) element = Element::hydrogen;
-    if (!element) {
+    const int as_said = atomic_number_said(said, type.type);
+    const int z = as_said != 0 ? as_said : atomic_number_by_mass(type);
+    if (z != 6 && z != 1) {
       result.problem = "atom " + described(type) + " is " +
-                       (z ? std::string(element_name(*z)) : std::string("no element by its mass")) +
+                       (z == 0 ? std::string("no element by its mass")
+                               : std::string(element_name(static_cast<AtomicNumber>(z)))) +
                        ": leave its atoms out of the group, or say what each type is by the keyword element";
       return result;
     }
-    result.of_type[index] = *element;
+    result.of_type[static_cast<std::size_t>(type.type)] = z == 6 ? Element::carbon : Element::hydrogen;
     result.summary += (result.summary.empty() ? "" : ", ") + described(type) + " is " +
-                      (*element == Element::carbon ? "carbon" : "hydrogen") + by;
+                      (z == 6 ? "carbon" : "hydrogen") + (as_said != 0 ? " by " + said.by : "");
   }
   return result;
 }
