@@ -4,6 +4,7 @@
 option(NANOCARBON_PREPROCESSOR "Build the program and all of its library; OFF: the LAMMPS plugin and what it needs alone" ON)
 option(NANOCARBON_PROGRAM "Build the program nanocarbon (needs CLI11)" ${PROJECT_IS_TOP_LEVEL})
 option(NANOCARBON_PLUGIN "Build the LAMMPS plugin (needs LAMMPS headers or source, and MPI)" ${PROJECT_IS_TOP_LEVEL})
+option(NANOCARBON_PYTHON "Build the Python module nanocarbon_sp2, where pybind11 and Python's headers are" ${PROJECT_IS_TOP_LEVEL})
 option(NANOCARBON_INSTALL "Install what is built" ${PROJECT_IS_TOP_LEVEL})
 option(NANOCARBON_BENCHMARKS "Build the benchmark programs (needs Google Benchmark)" ON)
 option(NANOCARBON_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
