@@ -22,7 +22,7 @@ namespace nanocarbon {
 
 //! \brief fix ID group bond/topology N: bonds, rings, surface and repelled atoms of sp2 carbon, see its
 //! documentation page.
-//! \details The LAMMPS face of molecule/bond_graph.h and molecule/surface_topology.h.
+//! \details The LAMMPS face of topology/bond_graph.h and topology/surface_topology.h.
 //! Each rank looks at its own bonds (bond_topology/local_bonds.h); only when any of them has changed are they
 //! gathered on rank 0, which knows the start (bond_topology/surface_watch.h), and the outcome carried back.
 class FixBondTopology : public LAMMPS_NS::Fix {

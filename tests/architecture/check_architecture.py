@@ -8,6 +8,8 @@ A unit is a header and its source. Prints every fault and ends with 1 where ther
   - a loop of includes between units,
   - a room that includes what it does not link (its CMakeLists.txt),
   - a type that is defined twice, or a namespace that is not the room's,
+  - a class derived from Potential that is named where a Potential& should be taken,
+  - a comment that refers to a header that does not exist,
   - a folder with more than 26 units,
   - a public header that does not exist, or that includes one that is not public.
 """
@@ -138,6 +140,39 @@ def types_and_namespaces(library):
     return faults + [f"type {n} is defined in {' and '.join(f)}" for n, f in defined.items() if len(f) > 1]
 
 
+def potentials(library):
+    """Whoever needs forces takes a Potential; one place below the program makes them."""
+    classes = {}  # class -> its room's namespace
+    for file, text in library.text.items():
+        for name in re.findall(r"^class (\w+)[^;{]*: public (?:potential::)?Potential\b", without_comments(text), re.M):
+            classes[name] = library.rooms[library.folder(file)][1]
+    faults = [] if len(classes) > 1 else ["no potentials are found: has Potential another name?"]
+    for file, text in library.text.items():
+        if file.startswith("potential/") or file == "building/potential_choice.cpp":
+            continue
+        code = without_comments(text)
+        faults += [f"{file} names {room}::{name}: let it take a Potential&" for name, room in classes.items()
+                   if re.search(rf"\b{room}::{name}\b", code)]
+    return faults
+
+
+def headers_in_comments(repository):
+    """What a comment refers to exists: "see room/unit.h"."""
+    headers = ["/" + p.relative_to(repository).as_posix() for p in repository.glob("*/**/*.h")]
+    faults = []
+    for top in ("preprocessor", "lammps-plugin", "tests"):
+        for file in sorted((repository / top).rglob("*")):
+            if file.suffix not in (".h", ".cpp"):
+                continue
+            for comment in re.findall(r"//(.*)", file.read_text()):
+                if "#include" in comment:
+                    continue
+                faults += [f"{file.relative_to(repository)} refers to {name}, which does not exist"
+                           for name in re.findall(r"\b[a-z_]+(?:/[a-z0-9_]+)*\.h\b", comment)
+                           if not any(h.endswith("/" + name) for h in headers)]
+    return faults
+
+
 def sizes(library):
     units = collections.defaultdict(set)
     for file in library.text:
@@ -165,8 +200,8 @@ def public_headers(library, repository):
 def main():
     repository = pathlib.Path(sys.argv[1])
     library = Library(repository)
-    faults = loops(library) + links(library) + types_and_namespaces(library) + sizes(library)
-    faults += public_headers(library, repository)
+    faults = loops(library) + links(library) + types_and_namespaces(library) + potentials(library)
+    faults += headers_in_comments(repository) + sizes(library) + public_headers(library, repository)
     for fault in faults:
         print(fault)
     print(f"{len(library.text)} files in {len(library.rooms)} rooms, {len(faults)} fault(s)")

@@ -16,11 +16,11 @@ struct AnnealingLevel {
   bool sound = false;        //!< REBO2 would see the intended bonds; as of relax_level()
 };
 
-//! The dual of a triangulation as it is. Nothing where parts are so thin for its faces that it pinches them.
+//! The dual of a triangulation as it is. Nothing if parts are so thin for its faces that it pinches them.
 std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean);
 
-//! Whether REBO2 would see the intended bonds at the present positions, with a margin for what happens when the
-//! tether goes.
+//! Whether REBO2 would see the intended bonds at the present positions, with a margin for relaxation without
+//! the tether.
 bool holds(const AnnealingLevel& level);
 
 //! Relaxes under the tether.

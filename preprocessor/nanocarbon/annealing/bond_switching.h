@@ -20,7 +20,7 @@ struct BondSwitchingOptions {
   long largest_ring = 7;           //!< atoms in a ring; 8 where all of the surface is a saddle
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  //! Told after each block; may be empty.
+  //! Called after each block; may be empty.
   std::function<void(int block, double energy_per_atom, std::size_t atoms, std::size_t defects)> progress =
       {};
 };

@@ -9,7 +9,7 @@
 
 namespace nanocarbon::annealing {
 
-//! Tells switches of one network apart.
+//! A number that identifies a switch of a network.
 //! \param identity of each atom, which it keeps when entries change
 std::uint64_t switch_key(const NetworkEdit& edit, std::span<const std::uint32_t> identity);
 

@@ -59,9 +59,9 @@ double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> p
 
 //! \brief Adds (stiffness / 2)(h - mean h)^2 over all atoms, h the height above the atom's plane.
 //! \details The mean is free where the surface's size may follow the number of atoms: curved sheets of carbon
-//! rest at a slightly other size than flat ones, and holding them to the surface itself would press for more
+//! rest at a slightly different size than flat ones, and holding them to the surface itself would favour more
 //! or fewer atoms.
-//! \param free_mean otherwise the mean counts as nothing: the surface's size is meant
+//! \param free_mean otherwise the mean is zero: the surface's size is prescribed
 //! \param stiffness eV/Angstrom^2
 //! \return eV
 double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,

@@ -40,8 +40,8 @@ struct TrialWorkspace {
 std::optional<NetworkEdit> draw_edit(const TrivalentNetwork& network, std::span<const RingIndex> defects,
                                      double climb_share, RandomStream& random, long largest_ring = 7);
 
-//! The most that the energy may rise by a switch, eV, but for the price of atoms gained: drawn
-//! by the Metropolis rule before anything is relaxed.
+//! The most by which a switch may raise the energy, eV, apart from the price of atoms gained: drawn by the
+//! Metropolis rule before anything is relaxed.
 double draw_allowance(const NetworkEdit& edit, const TrialTerms& terms, RandomStream& random);
 
 //! \brief Tries a switch on a copy of its surroundings: relaxes them, and accepts what stays within the

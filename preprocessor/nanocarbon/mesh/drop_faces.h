@@ -11,8 +11,8 @@ namespace nanocarbon::mesh {
 //! Whether a face passes through a vertex more than once.
 bool repeats_a_vertex(std::span<const VertexIndex> face);
 
-//! \brief Takes corners out that repeat the corner before them, or that a face only goes to and back from;
-//! drops faces that have fewer than three left.
+//! \brief Removes corners that repeat the previous corner, or that a face only goes to and back from; drops
+//! faces that have fewer than three left.
 //! \return how many faces were changed or dropped. Faces that pass through a vertex twice in other ways
 //! stay.
 std::size_t drop_repeated_vertices(PolygonSoup& soup);

@@ -22,7 +22,7 @@ inline constexpr HalfEdgeIndex no_half_edge = std::numeric_limits<HalfEdgeIndex>
 class CornerTable {
  public:
   CornerTable() = default;
-  //! \pre oriented 2-manifold, with or without boundary (mesh/surface.h promises it)
+  //! \pre oriented 2-manifold, with or without boundary (as load_surface() returns it)
   explicit CornerTable(const TriangleMesh& mesh);
 
   std::size_t vertices() const { return outgoing_.size(); }  //!< with holes

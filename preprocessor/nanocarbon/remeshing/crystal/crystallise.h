@@ -11,18 +11,18 @@
 
 namespace nanocarbon::crystal {
 
-//! What a crystallisation is asked for. Nothing else needs a choice.
+//! What crystallise() is asked for. Nothing else needs a choice.
 struct CrystalOptions {
   std::size_t faces = 10000;  //!< triangles wanted, one for each atom
   std::uint64_t seed = 1;
   Quality quality = Quality::good;
-  //! Seeds that are tried until one leaves no fold or wrong valence; the least troubled one is kept. From 1.
+  //! Seeds that are tried until one leaves no fold and no wrong valence; the best result is kept. At least 1.
   int attempts = 3;
-  //! Called now and then with what is going on and the share of the work done, 0 to 1.
+  //! Called now and then with the current stage and the fraction of the work done, 0 to 1.
   std::function<void(std::string_view stage, double share)> progress = {};
 };
 
-//! A triangulation of nearly equal edges and few defects, and how it came about.
+//! A triangulation of nearly equal edges and few defects, and how it was made.
 struct CrystalResult {
   TriangleMesh mesh;   //!< on the surface; same topology, components and boundary
   double spacing = 0;  //!< edge length of the ideal crystal, in the unit of the surface
@@ -38,13 +38,13 @@ struct CrystalResult {
 //!
 //! Isotropic remeshing, then the vertices are annealed as particles on the surface until they freeze into a
 //! crystal. Where the shape allows, this is done with a quarter of the faces (or a quarter of that), and each
-//! triangle is split in four: no new defects, and order over longer ranges than one level reaches. Then what
-//! is left of wrong valences is flipped away and edges are evened. Where a wrong valence or a fold is left
-//! even so, more seeds are tried, which takes as many times as long.
+//! triangle is split in four: no new defects, and order over longer ranges than one level reaches. Then
+//! remaining wrong valences are removed by flips and edge lengths are evened out. If a wrong valence or a
+//! fold remains all the same, more seeds are tried, each of which takes as long.
 //!
 //! Linear in faces; the same for the same seed. Works in any unit.
 //!
-//! \param surface an oriented 2-manifold (mesh/surface.h), closed or with boundary
+//! \param surface an oriented 2-manifold (mesh/formats/load_surface.h), closed or with boundary
 //! \throw UserError (size) where the surface's topology cannot be kept with so few faces
 CrystalResult crystallise(const TriangleMesh& surface, const CrystalOptions& options);
 

@@ -56,8 +56,8 @@ struct FeatureReport {
 
 //! \brief Finds where a surface is too small to be held by carbon.
 //!
-//! From every place of the surface the nearest place that lies along it is sought on the normal,
-//! inwards and outwards, which is the local thickness and the local gap. Sharp edges, however sharp up to
+//! From every place of the surface, the nearest place roughly parallel to it is sought along the normal,
+//! inwards and outwards; its distance is the local thickness or the local gap. Sharp edges, however sharp up to
 //! about 30 degrees, are not thin parts: their sides do not face opposite ways. Normals are smoothed over half
 //! a ring, so that roughness below that size does not matter. A thick place counts as a limb where normals
 //! all around its axis are met within its width. A boundary loop is a hole where the surface goes away from its
