@@ -51,13 +51,13 @@ TEST(StericContacts, PairsAreFoundAgainWhereEverythingMovesFarAndTwoPartsMeet) {
   Chains chains(4.5);
   StericContacts contacts;
   std::vector<Vec3> gradient(chains.positions.size(), Vec3::Zero());
-  contacts.renew(chains.positions, chains.neighbours);
+  contacts.renew(chains.positions, chains.graph);
   for (int step = 1; step <= 20; ++step) {
     for (AtomIndex a = 0; a < 16; ++a) chains.positions[a] += Vec3(0.7, 0.4, -1.1);
     for (AtomIndex k = 8; k < 16; ++k) chains.positions[k].y() -= 0.1;
     StericContacts fresh;
-    EXPECT_EQ(contacts.evaluate(chains.positions, chains.neighbours, gradient),
-              fresh.evaluate(chains.positions, chains.neighbours, gradient));
+    EXPECT_EQ(contacts.evaluate(chains.positions, chains.graph, gradient),
+              fresh.evaluate(chains.positions, chains.graph, gradient));
   }
 }
 
