@@ -7,6 +7,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   building/annealed_options.h
   building/build_molecule.h
   building/build_report.h
+  building/likeness.h
   building/potential_choice.h
   building/size_request.h
   core/bond_cutoffs.h

@@ -9,13 +9,26 @@
 
 namespace nanocarbon::cli {
 
+namespace {
+
+// --types takes words up to the next option, FILE too where it stands behind them.
+void find_file(MoleculeInput& input) {
+  if (input.file.empty() && input.types.size() > 1) {
+    input.file = input.types.back();
+    input.types.pop_back();
+  }
+  if (input.file.empty()) throw CLI::RequiredError("FILE");
+}
+
+}  // namespace
+
 void add_molecule_input(CLI::App& subcommand, MoleculeInput& input) {
   subcommand
       .add_option(
           "FILE", input.file,
           "LAMMPS data file or text dump, XYZ, extended XYZ, CIF or POSCAR, also packed by gzip; - for "
           "standard input")
-      ->required();
+      ->option_text("TEXT REQUIRED");
   subcommand
       .add_option(
           "--types", input.types,
@@ -29,6 +42,7 @@ void add_molecule_input(CLI::App& subcommand, MoleculeInput& input) {
       ->type_name("NAME");
   subcommand.add_option("--boundary", input.boundary,
                         "Which directions are periodic, such as 'p p f'; overrides what the file says");
+  subcommand.parse_complete_callback([&input] { find_file(input); });
 }
 
 void add_frame_option(CLI::App& subcommand, MoleculeInput& input) {

@@ -128,12 +128,14 @@ def types_and_namespaces(library):
         expected = "nanocarbon"
         if room and room[1] and file not in SHARED:
             expected += "::" + room[1]
-        for namespace in re.findall(r"^namespace (nanocarbon[\w:]*) \{", code, re.M):
+        # Another room's types may be declared, though not defined.
+        own = re.sub(r"^namespace nanocarbon::\w+ \{\n(?:(?:class|struct) \w+;\n)+\}", "", code, flags=re.M)
+        for namespace in re.findall(r"^namespace (nanocarbon[\w:]*) \{", own, re.M):
             if namespace != expected:
                 faults.append(f"{file}: namespace {namespace} instead of {expected}")
         # A kernel's body is compiled once for each instruction set, in an unnamed namespace of its own.
         if file.endswith(".h") and not file.endswith("_kernel_body.h"):
-            for name in re.findall(r"^(?:struct|class|enum class) (\w+)[^;{]*\{", code, re.M):
+            for name in re.findall(r"^(?:struct|class|enum class) (?:alignas\([^)]*\) )?(\w+)[^;{]*\{", code, re.M):
                 defined[name].append(file)
             for name in re.findall(r"^using (\w+) =", code, re.M):
                 defined[name].append(file)

@@ -85,9 +85,8 @@ TEST(EnergyOfFiles, WrittenByAseIsTheSame) {
       test::run_command(std::string(NANOCARBON_ASE_PYTHON) + " " NANOCARBON_WRITE_WITH_ASE " " + files +
                         "c60-labels.xyz " + to);
   ASSERT_EQ(written.exit_code, 0) << written.output;
-  for (const std::string name :
-       {"plain.xyz", "extended.xyz", "atomic.data --types C", "charge.data --types C", "full.data --types C",
-        "POSCAR", "direct.vasp"})
+  for (const std::string name : {"plain.xyz", "extended.xyz", "atomic.data --types C",
+                                 "charge.data --types C", "full.data --types C", "POSCAR", "direct.vasp"})
     EXPECT_NEAR(energy_of(to + name), c60, 1e-3) << name;
   EXPECT_NEAR(energy_of(to + "movie.xyz --frame -1"), c60, 1e-3);
   EXPECT_NEAR(energy_of(to + "c60.cif"), c60, 0.02);  // five digits of fractions of 25 Angstrom
@@ -99,8 +98,8 @@ TEST(EnergyOfFiles, WrittenByLammpsIsTheSame) {
   const std::string at = (folder / "").string();
   ASSERT_EQ(test::run_command("cp " + files + "benzene-msi2lmp.lmp " + at + "a.data").exit_code, 0);
   std::ofstream(folder / "in")
-      << "units metal\natom_style full\nread_data a.data\nspecial_bonds lj/coul 1 1 1\n"
-         "pair_style zero 6.0\npair_coeff * *\nbond_style zero\nbond_coeff *\n"
+      << "units metal\natom_style full\npair_style zero 6.0 nocoeff\nbond_style zero nocoeff\n"
+         "read_data a.data\nspecial_bonds lj/coul 1 1 1\npair_coeff * *\nbond_coeff *\n"
          "displace_atoms all move 9 9 9\n"
          "dump 1 all custom 1 named.dump id type element x y z\ndump_modify 1 element C H format float %.9g\n"
          "dump 2 all custom 1 scaled.dump.gz id element xs ys zs ix iy iz\n"

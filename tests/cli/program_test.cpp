@@ -418,7 +418,7 @@ TEST_F(Program, InspectTellsWhatBuildTakes) {
   EXPECT_EQ(json["vertices"], 8);
   EXPECT_EQ(json["pieces"], 1);
   EXPECT_EQ(json["boundary_loops"], 0);
-  EXPECT_EQ(json["volume"], 1.0);
+  EXPECT_NEAR(json["volume"], 1.0, 1e-12);
   const Outcome refused = run("build " + path("box.off") + " --no-repair -o " + path("out.data"));
   EXPECT_EQ(refused.exit_code, 5);
   EXPECT_THAT(refused.err, HasSubstr("--no-repair"));

@@ -7,7 +7,7 @@ namespace nanocarbon::page {
 
 //! The files that every page is put together from.
 struct PageAssets {
-  std::string_view html;  //!< the frame, with @NAME@ where things go
+  std::string_view html;  //!< the frame, with names between at signs where things go
   std::string_view css;
   std::string_view viewer;   //!< our script
   std::string_view three;    //!< three.js; empty where the build had none

@@ -186,7 +186,7 @@ struct Quintics {
   Real k[6];
 };
 
-//! \param piece which one, a whole number
+// Those of a piece, by its number, which is whole.
 NANOCARBON_INLINE Quintics choose(const double (*table)[8], Mask piece) {
   Quintics chosen;
   for (int power = 0; power < 6; ++power) {
