@@ -138,6 +138,7 @@ void PairAireboOpt::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   std::fill_n(pvector, 3, 0.0);
   const Lists lists = update_near();
+  choose_loops(evaluation_->fast.bonds());
   if (atoms().all > 0) {
     if (lists == Lists::all_changed)
       take_lists();

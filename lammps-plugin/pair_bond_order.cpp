@@ -242,6 +242,15 @@ potential::AtomsView PairBondOrder::atoms() const {
   return {all > 0 ? atom->x[0] : nullptr, elements_.data(), own, all};
 }
 
+void PairBondOrder::choose_loops(rebo2::MixedEvaluation& evaluation) const {
+  if (neighbor->ago != 0) return;
+  std::array<long long, 2> counts = {static_cast<long long>(evaluation.outside_fast_case(atoms(), near())),
+                                     atom->nlocal};
+  MPI_Allreduce(MPI_IN_PLACE, counts.data(), 2, MPI_LONG_LONG, MPI_SUM, world);
+  evaluation.choose(rebo2::MixedEvaluation::lanes_pay(static_cast<std::size_t>(counts[0]),
+                                                      static_cast<std::size_t>(counts[1])));
+}
+
 potential::Virial* PairBondOrder::start_virials() {
   virials_.assign(elements_.size(), potential::Virial{});
   return virials_.data();

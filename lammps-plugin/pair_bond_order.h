@@ -12,6 +12,7 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/potential/atom_shares.h"
 #include "nanocarbon/potential/near_pairs.h"
+#include "nanocarbon/potential/rebo2/mixed_evaluation.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
 #include "pair.h"
 
@@ -55,6 +56,9 @@ class PairBondOrder : public LAMMPS_NS::Pair {
   Lists update_near();
   const potential::NearPairs& near() const { return near_; }
   potential::AtomsView atoms() const;
+  //! \brief Has all ranks take the same loops of REBO2, by all their atoms. To be called on all ranks after
+  //! update_near(); does nothing unless LAMMPS's lists are new.
+  void choose_loops(rebo2::MixedEvaluation& evaluation) const;
   std::size_t lists_memory() const;
 
   Element element(int type) const { return static_cast<Element>(element_of_type_[type]); }

@@ -36,6 +36,7 @@ double PairReboOpt::init_one(int i, int j) {
 void PairReboOpt::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (update_near() != Lists::good) evaluation_->near_changed();
+  choose_loops(*evaluation_);
   potential::AtomShares shares;
   if (eflag_atom) shares.energies = eatom;
   const bool needs_virials = vflag_atom || (vflag_global && !vflag_fdotr);

@@ -105,7 +105,7 @@ TEST(EnergyOfFiles, WrittenByLammpsIsTheSame) {
          "dump 2 all custom 1 scaled.dump.gz id element xs ys zs ix iy iz\n"
          "dump_modify 2 element C H format float %.9g sort id\n"
          "dump 3 all custom 1 masses.dump id mass xu yu zu\ndump_modify 3 format float %.9g\n"
-         "dump 4 all atom 1 atoms.dump\ndump_modify 4 format float %.9g\n"
+         "dump 4 all atom 1 atoms.dump\ndump_modify 4 format line \"%d %d %.12g %.12g %.12g\"\n"
          "dump 5 all xyz 1 named.xyz\ndump_modify 5 element C H\n"
          "dump 6 all xyz 1 types.xyz\n"
          "run 0\nwrite_data full.data nocoeff\n"

@@ -47,6 +47,8 @@ class FastEvaluation {
   AireboEnergyParts evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near,
                              double* forces);
 
+  //! What does E_REBO and E_torsion, for MixedEvaluation::choose().
+  rebo2::MixedEvaluation& bonds() { return bonds_; }
   //! Own atoms that the last evaluation's bonds left to the general terms.
   std::size_t general_atoms() const { return bonds_.general_atoms(); }
   //! Terms of E_LJ that the last evaluation did one by one, in general form.

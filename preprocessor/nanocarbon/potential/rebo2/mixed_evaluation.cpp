@@ -38,8 +38,12 @@ MixedEvaluation::MixedEvaluation(const Rebo2Parameters& parameters, const Sp2Ker
   std::fill_n(&plain_.pi[0][0], 3 * sp2_block, bond_constants_.pi);
 }
 
-bool MixedEvaluation::is_mostly_sp2(const potential::AtomsView& atoms,
-                                    const potential::NearPairs& near) const {
+bool MixedEvaluation::lanes_pay(std::size_t outside, std::size_t own) {
+  return static_cast<double>(outside) > most_outside * static_cast<double>(own);
+}
+
+std::size_t MixedEvaluation::outside_fast_case(const potential::AtomsView& atoms,
+                                               const potential::NearPairs& near) const {
   std::size_t outside = 0;
   for (std::uint32_t i = 0; i < atoms.own; ++i) {
     const Eigen::Map<const Vec3> from(atoms.positions + 3 * std::size_t{i});
@@ -54,7 +58,7 @@ bool MixedEvaluation::is_mostly_sp2(const potential::AtomsView& atoms,
     }
     outside += atoms.elements[i] != Element::carbon || whole != 3 || other != 0;
   }
-  return static_cast<double>(outside) <= most_outside * atoms.own;
+  return outside;
 }
 
 void MixedEvaluation::make_blocks(const potential::AtomsView& atoms, const potential::NearPairs& near) {
@@ -273,7 +277,8 @@ EnergyParts MixedEvaluation::evaluate(const potential::AtomsView& atoms, const p
                                       bool general_only) {
   if (!general_only && !shares.virials && !(torsion_ && shares.energies)) {
     if (!lists_are_good_) {
-      use_lanes_ = lanes_apply_ && !(fast_applies_ && is_mostly_sp2(atoms, near));
+      const auto many_outside = [&] { return lanes_pay(outside_fast_case(atoms, near), atoms.own); };
+      use_lanes_ = lanes_apply_ && (!fast_applies_ || (chosen_ ? *chosen_ : many_outside()));
       if (use_lanes_)
         lanes_.near_changed(atoms, near);
       else if (fast_applies_)

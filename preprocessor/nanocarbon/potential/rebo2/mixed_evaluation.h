@@ -24,7 +24,8 @@ namespace nanocarbon::rebo2 {
 //! dihedrals.
 //!
 //! Where more than a few atoms were outside the fast case when lists were made, everything is left to
-//! LaneEvaluation.
+//! LaneEvaluation. Of bonds between own atoms and copies it takes half of all terms, while the fast loops take
+//! those of the own atom: processes that share a system make that choice together (choose()).
 class MixedEvaluation {
  public:
   //! \param torsion adds AIREBO's torsion energy
@@ -40,6 +41,16 @@ class MixedEvaluation {
   EnergyParts evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near, double* forces,
                        const potential::AtomShares& shares, bool general_only = false);
 
+  //! Own atoms that are outside the fast case as the near pairs stand.
+  std::size_t outside_fast_case(const potential::AtomsView& atoms, const potential::NearPairs& near) const;
+  //! Whether the lane loops take less time for everything with so many of the own atoms outside.
+  static bool lanes_pay(std::size_t outside, std::size_t own);
+  //! Sets whether the lane loops are taken for everything, which evaluate() decides by its own atoms otherwise.
+  void choose(bool lanes) {
+    if (chosen_ != lanes) lists_are_good_ = false;
+    chosen_ = lanes;
+  }
+
   //! Whether the last evaluation took the lane loops for everything.
   bool uses_lanes() const { return use_lanes_; }
   //! Own atoms that the last evaluation left to the general terms.
@@ -53,7 +64,6 @@ class MixedEvaluation {
   bool is_fast(std::uint32_t atom) const {
     return blocks_.place[atom] != Sp2Blocks::nowhere && !general_flag_[atom];
   }
-  bool is_mostly_sp2(const potential::AtomsView& atoms, const potential::NearPairs& near) const;
   void make_blocks(const potential::AtomsView& atoms, const potential::NearPairs& near);
   Sp2Modifiers* modifiers_of(std::uint32_t place);
   void reset_modifiers();
@@ -86,6 +96,7 @@ class MixedEvaluation {
   bool lanes_apply_;
 
   LaneEvaluation lanes_;
+  std::optional<bool> chosen_;
   bool use_lanes_ = false;
   bool lists_are_good_ = false;
   Sp2Blocks blocks_;
