@@ -100,16 +100,15 @@ TEST(EnergyOfFiles, WrittenByLammpsIsTheSame) {
   std::ofstream(folder / "in")
       << "units metal\natom_style full\npair_style zero 6.0 nocoeff\nbond_style zero nocoeff\n"
          "read_data a.data\nspecial_bonds lj/coul 1 1 1\npair_coeff * *\nbond_coeff *\n"
-         "displace_atoms all move 9 9 9\n"
+         "write_dump all xyz named.xyz modify element C H\nwrite_dump all xyz types.xyz\n"
+         "displace_atoms all move 9 0 9\n"  // across the boundary
          "dump 1 all custom 1 named.dump id type element x y z\ndump_modify 1 element C H format float %.9g\n"
          "dump 2 all custom 1 scaled.dump.gz id element xs ys zs ix iy iz\n"
          "dump_modify 2 element C H format float %.9g sort id\n"
          "dump 3 all custom 1 masses.dump id mass xu yu zu\ndump_modify 3 format float %.9g\n"
-         "dump 4 all atom 1 atoms.dump\ndump_modify 4 format line \"%d %d %.12g %.12g %.12g\"\n"
-         "dump 5 all xyz 1 named.xyz\ndump_modify 5 element C H\n"
-         "dump 6 all xyz 1 types.xyz\n"
+         "dump 4 all atom 1 atoms.dump\n"
          "run 0\nwrite_data full.data nocoeff\n"
-         "change_box all triclinic\nchange_box all xy final 4.0\n"
+         "undump 1\nundump 2\nundump 3\nundump 4\nchange_box all triclinic\nchange_box all xy final 4.0\n"
          "write_data tilted.data\nwrite_dump all custom tilted.dump id element x y z modify element C H "
          "format float %.9g\n";
   const ProgramOutcome ran = test::run_command("cd " + at + " && " NANOCARBON_LMP " -in in -log none");
