@@ -4,8 +4,8 @@
 
     analyse_agrees.py PROGRAM LMP_NANOCARBON PLUGIN DATA FOLDER
 
-C60 is heated until bonds break; the fix looks at every frame that is written. Verdict, bonds broken and formed,
-repelled atoms and rings must be the same in each.
+C60 is heated until bonds break; the fix looks at every frame that is written. Bonds broken and formed and repelled atoms
+must be the same in each, verdict and rings wherever the fix tells them.
 """
 
 import json
@@ -28,7 +28,7 @@ fix watch all bond/topology 20 file {jsonl}
 dump frames all xyz 20 {xyz}
 dump_modify frames element C H sort id format line "%s %.17g %.17g %.17g"
 thermo_modify lost ignore
-run 6000
+run 4400
 """
 
 
@@ -49,15 +49,24 @@ def main():
     changes = {line["step"]: line for line in watched if line["event"] == "change"}
     assert len(changes) > 5 and any(line["since_start"]["broken"] > 0 for line in changes.values()), "nothing broke"
     current = {"verdict": "intact", "since_start": {"broken": 0, "formed": 0, "repelled": 0}}
+    compared = 0
     for number, frame in enumerate(frames):
-        current = changes.get(20 * number, current)
+        change = changes.get(20 * number)
+        current = change or current
         since = current["since_start"]
-        found = [frame["verdict"], len(frame["broken"]), len(frame["formed"]), len(frame["repelled"])]
-        expected = [current["verdict"], since["broken"], since["formed"], since["repelled"]]
-        assert found == expected, (number, found, expected)
-        if current.get("surface"):
-            assert frame["rings"] == current["rings"], (number, frame["rings"], current["rings"])
-    print(f"{len(frames)} frames, {len(changes)} changes, at the end {frames[-1]['verdict']}")
+        if since.get("lost"):
+            break  # atoms have no names in an XYZ file
+        compared += 1
+        found = [len(frame["broken"]), len(frame["formed"]), len(frame["repelled"])]
+        assert found == [since["broken"], since["formed"], since["repelled"]], (number, found, since)
+        # The same bonds may make a surface at one time and be too crumpled for one at another, which the fix writes
+        # down only when bonds change.
+        if change:
+            assert frame["verdict"] == change["verdict"], (number, frame["verdict"], change["verdict"])
+            if change.get("surface"):
+                assert frame["rings"] == change["rings"], (number, frame["rings"], change["rings"])
+    assert compared > 100, compared
+    print(f"{compared} of {len(frames)} frames, {len(changes)} changes, at the end {frames[-1]['verdict']}")
 
 
 if __name__ == "__main__":
