@@ -8,11 +8,13 @@
 #include <sstream>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/formats/load_surface.h"
 #include "nanocarbon/mesh/formats/read_mesh.h"
 #include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/shapes/periodic_shapes.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon::mesh {
 namespace {
@@ -136,6 +138,19 @@ TEST(PeriodicMesh, FilesTellTheirCell) {
   }
   std::ostringstream stl;
   EXPECT_THROW(write_mesh(stl, MeshFormat::stl, mesh, {}), UserError);
+}
+
+// The cut leaves parts that touch each other; they are one surface in the cell.
+TEST(PeriodicMesh, WhatIsWrittenIsTakenAgain) {
+  const test::TemporaryFolder folder;
+  for (const std::uint64_t seed : {1, 2}) {
+    const TriangleMesh foam = shapes::make_foam({.waves = 2, .seed = seed, .edge = 0.04});
+    write_mesh(folder.path() / "foam.off", foam);
+    const TriangleMesh read = load_surface(folder.path() / "foam.off").mesh;
+    EXPECT_EQ(read.points.size(), foam.points.size());
+    EXPECT_EQ(mesh_topology(read).euler_characteristic, mesh_topology(foam).euler_characteristic);
+    EXPECT_TRUE(mesh_topology(read).closed());
+  }
 }
 
 TEST(PeriodicMesh, ACommentThatIsNoCellIsRefused) {

@@ -77,6 +77,14 @@ std::optional<Cell> requested_cell(const CellRequest& request, const PolygonSoup
   return cell;
 }
 
+void drop_findings_of_the_cut(MeshDiagnosis& diagnosis) {
+  std::erase_if(diagnosis.findings, [](const MeshFinding& finding) {
+    return finding.problem == MeshProblem::components_intersect ||
+           finding.problem == MeshProblem::self_intersection ||
+           finding.problem == MeshProblem::duplicate_vertex;
+  });
+}
+
 TriangleMesh in_cell(const TriangleMesh& mesh, const Cell& cell, const CellRequest& request,
                      std::vector<std::string>& notes) {
   for (std::size_t d = 0; d < 3; ++d)

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "nanocarbon/core/cell.h"
+#include "nanocarbon/mesh/diagnosis.h"
 #include "nanocarbon/mesh/polygon_soup.h"
 
 namespace nanocarbon::mesh {
@@ -25,6 +26,10 @@ struct CellRequest {
 //! \throw UserError (usage) for a cell that is flat, left-handed or very skewed, or where the mesh has no extent
 //! in a periodic direction
 std::optional<Cell> requested_cell(const CellRequest& request, const PolygonSoup& soup);
+
+//! Takes findings out of a diagnosis that are of the cut at the cell's faces and not of the surface: parts that
+//! touch each other there. (Intersections are then not known of meshes in a cell.)
+void drop_findings_of_the_cut(MeshDiagnosis& diagnosis);
 
 //! \brief A mesh in free space as one in its cell: sewn and repeated.
 //! \param notes what was done is added

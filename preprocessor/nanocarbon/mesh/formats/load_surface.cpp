@@ -26,9 +26,8 @@ LoadedSurface examine(const std::filesystem::path& path, const CellRequest& requ
   surface.mesh = std::move(repaired.mesh);
   surface.repairs = std::move(repaired.repairs);
   surface.diagnosis = std::move(repaired.diagnosis);
+  if (surface.cell) drop_findings_of_the_cut(surface.diagnosis);
   for (const MeshFinding& finding : surface.diagnosis.findings) {
-    // Where a mesh was cut open for its cell, parts can meet in a point.
-    if (surface.cell && finding.problem == MeshProblem::duplicate_vertex) continue;
     if (severity(finding.problem) == Severity::warning) surface.warnings.push_back(finding.text);
   }
   return surface;
