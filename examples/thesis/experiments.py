@@ -110,6 +110,10 @@ class Experiments:
         return self.each((lambda pair: self.one(model, model.stable, "pair-" + pair.replace("/", "-"), pair=pair)
                           | {"pair": pair}, pair) for pair in ("rebo/opt", "rebo"))
 
+    def airebo(self):
+        """What the thesis shows whole, under AIREBO, whose molecules are the same: remeshing knows no potential."""
+        return self.each((lambda m: self.one(m, m.stable, "airebo", pair="airebo/opt"), m) for m in self.models)
+
     def earlier(self):
         def row(model, recipe):
             if recipe == "thesis":
@@ -179,7 +183,7 @@ class Experiments:
         return row
 
 
-PARTS = ["remeshing", "visited", "interval", "long", "cg", "earlier", "default", "rebo"]
+PARTS = ["remeshing", "visited", "interval", "long", "cg", "earlier", "default", "rebo", "airebo"]
 
 
 def arguments():

@@ -9,7 +9,7 @@
 #   --out DIR   where files go (default: out/thesis); what is there already is not made again
 #   --jobs N    how many runs at a time (default: 1)
 #   --only PART only one of the parts: remeshing, visited, interval, long, cg, earlier, default,
-#               rebo, figures
+#               rebo, airebo, figures
 #   --page      also put the tables into README.md beside this script
 #
 # Environment: NANOCARBON, the program; LAMMPS, lmp-nanocarbon; PLUGIN, nanocarbonplugin.so. Without them those of

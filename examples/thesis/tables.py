@@ -130,7 +130,7 @@ def default(rows):
 
 
 TABLES = {"remeshing": remeshing, "visited": plain, "interval": plain, "long": long, "cg": cg, "earlier": earlier,
-          "default": default, "rebo": by_pair}
+          "default": default, "rebo": by_pair, "airebo": plain}
 
 
 def put_into(page, tables):

@@ -23,7 +23,7 @@ if LAMMPS=false "$source/examples/thesis/run.sh" "$source/examples/meshes" --sho
   echo "a failing LAMMPS went unnoticed"
   exit 1
 fi
-for part in remeshing visited interval long earlier default rebo; do
+for part in remeshing visited interval long earlier default rebo airebo; do
   grep -vE '^\| model|^\|---|^$' "$work/$part.md" >"$work/rows"
   rows=$(wc -l <"$work/rows")
   held=$(grep -cE '\| (intact|homeomorphic|broken|not a surface) \|' "$work/rows")
