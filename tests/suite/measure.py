@@ -118,8 +118,8 @@ def build(args, mesh, prefix, atoms, options):
     code, seconds = run(args, [args.build / "preprocessor/cli/nanocarbon", "build", mesh, "-o", f"{prefix}.data",
                                "--quiet", "--threads", "1", "--report", f"{prefix}.json", "--atoms", atoms, *potential_of(args), *options], screen)
     said = screen.read_text(errors="replace").strip()
-    first = next((line for line in said.splitlines() if line.startswith("nanocarbon: ")), "no message")
-    reason = said[said.index(first):].replace("\n  - ", " ") if said else "no message"
+    begin = max(0, ("\n" + said).find("\nnanocarbon: "))
+    reason = said[begin:].replace("\n  - ", " ") or "no message"
     return code, seconds, reason.replace("nanocarbon: ", "").replace(f"{mesh}: ", "")
 
 

@@ -45,9 +45,9 @@ double expected_energy(const TriangleMesh& surface, std::size_t atoms) {
   const TriangleMesh& mesh = guide.mesh();
   double energy = 0.0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::array<Vec3, 3> points, normals;
+    const std::array<Vec3, 3> points = corners_of(mesh, mesh.triangles[t]);
+    std::array<Vec3, 3> normals;
     for (std::size_t k = 0; k < 3; ++k) {
-      points[k] = mesh.points[mesh.triangles[t][k]];
       crystal::Foot corner{points[k], {0, 0, 0}, t};
       corner.weights[k] = 1;
       normals[k] = guide.normal(corner);
@@ -61,8 +61,10 @@ double expected_energy(const TriangleMesh& surface, std::size_t atoms) {
   }
   for (crystal::HalfEdgeIndex h = 0; h < guide.table().half_edges(); ++h)
     if (guide.table().twin(h) == crystal::no_half_edge)
-      energy += energy_of_boundary *
-                (mesh.points[guide.table().target(h)] - mesh.points[guide.table().origin(h)]).norm();
+      energy +=
+          energy_of_boundary *
+          mesh.space.displacement(mesh.points[guide.table().origin(h)], mesh.points[guide.table().target(h)])
+              .norm();
   return energy / static_cast<double>(atoms);
 }
 

@@ -166,28 +166,33 @@ void collect(const crystal::SurfaceGuide& guide, const Facets& facets, const Sho
 void collect_holes(const crystal::SurfaceGuide& guide, double needed, std::vector<FeatureProblem>& problems) {
   constexpr double outwards = -0.3;  // mean cosine between what is beside the loop and its middle
   const crystal::CornerTable& table = guide.table();
-  const std::vector<Vec3>& points = guide.mesh().points;
+  const TriangleMesh& mesh = guide.mesh();
   std::vector<bool> seen(table.half_edges(), false);
   for (crystal::HalfEdgeIndex first = 0; first < table.half_edges(); ++first) {
     if (seen[first] || table.twin(first) != crystal::no_half_edge) continue;
     std::vector<crystal::HalfEdgeIndex> loop;
+    std::vector<Vec3> points = {
+        mesh.points[table.origin(first)]};  // side by side, the first again at the end
     for (crystal::HalfEdgeIndex h = first; !seen[h]; h = table.outgoing(table.target(h))) {
       seen[h] = true;
       loop.push_back(h);
+      points.push_back(mesh.space.beside(mesh.points[table.target(h)], points.back()));
     }
     Vec3 centre = Vec3::Zero(), twice_area = Vec3::Zero();
     double length = 0;
-    for (const crystal::HalfEdgeIndex h : loop) {
-      const Vec3 &a = points[table.origin(h)], &b = points[table.target(h)];
-      centre += (b - a).norm() * 0.5 * (a + b);
-      length += (b - a).norm();
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const double side = (points[k + 1] - points[k]).norm();
+      centre += side * 0.5 * (points[k] + points[k + 1]);
+      length += side;
     }
+    if ((points.back() - points.front()).norm() > 1e-3 * length) continue;  // it goes round the cell
     centre /= length;
     double towards = 0;
-    for (const crystal::HalfEdgeIndex h : loop) {
-      const Vec3 &a = points[table.origin(h)], &b = points[table.target(h)];
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Vec3 &a = points[k], &b = points[k + 1];
       twice_area += (a - centre).cross(b - centre);
-      const Vec3 beside = points[table.apex(h)] - a, along = (b - a).normalized();
+      const Vec3 beside = mesh.space.beside(mesh.points[table.apex(loop[k])], a) - a,
+                 along = (b - a).normalized();
       towards +=
           (b - a).norm() * (beside - beside.dot(along) * along).normalized().dot((centre - a).normalized());
     }
