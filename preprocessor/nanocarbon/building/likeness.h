@@ -41,7 +41,7 @@ struct Likeness {
 //! Bending, 1.4 eV / 2 times the square of the curvatures' sum over the area; 5 eV for each pi/3 of Gaussian
 //! curvature of either sign, which asks for a pentagon or heptagon and strains the sheet around it; 1.5 eV for
 //! each Angstrom of boundary, where bonds dangle. Curvatures are those of normals smoothed over a ring, since a
-//! crease is rounded to about that. Measured: the meshes of the README cost 0.5 to 2.5 times this.
+//! crease is rounded to about that.
 double expected_energy(const TriangleMesh& surface, std::size_t atoms);
 
 //! \param surface Angstrom, of the size that fits the molecule

@@ -26,8 +26,8 @@ struct FeatureLimits {
   //! Between two sheets, a little under graphite's 3.35. Measured: plates of 2.5 hold
   //! (with_room_for_sheets()), of 2.0 not.
   double sheet_distance = 3.0;
-  //! Of a hole with a bare boundary: twice the area that its loop spans over the loop's length. Measured on
-  //! flat rings of 18 Angstrom: those around holes of 3.0 and more hold, of 2.5 not all, of 2.0 and 1.5 none.
+  //! Of a hole with a bare boundary: twice the area that its loop spans over the loop's length. Drafts of
+  //! flat rings around holes of 2.5 to 5.0 Angstrom held, of 1.5 and 2.0 not; of 2.46 one failed with more atoms.
   double hole_radius = 3.0;
   //! Square Angstrom. Regions smaller than this are tips and corners, which a molecule rounds: every spike
   //! and every horn has one at any size.
