@@ -13,6 +13,7 @@
 #include "analysed_xyz.h"
 #include "command_text.h"
 #include "common_options.h"
+#include "molecule_input.h"
 #include "nanocarbon/analysis/analysis_report.h"
 #include "nanocarbon/analysis/dual_triangulation.h"
 #include "nanocarbon/building/potential_choice.h"
@@ -20,12 +21,6 @@
 #include "nanocarbon/core/output_file.h"
 #include "nanocarbon/core/version.h"
 #include "nanocarbon/mesh/formats/write_mesh.h"
-#if __has_include("nanocarbon/molecule/formats/read_molecule.h")
-#include "nanocarbon/molecule/formats/read_molecule.h"
-#else
-#include "nanocarbon/molecule/formats/lammps_data.h"
-#include "nanocarbon/molecule/formats/xyz.h"
-#endif
 #include "nanocarbon/page/structure_page.h"
 #include "number_checks.h"
 #include "progress_bar.h"
@@ -38,7 +33,8 @@ namespace fs = std::filesystem;
 
 struct AnalyseCommand {
   std::vector<std::string> files;
-  std::string boundary, potential = "rebo2", rings = "auto";
+  MoleculeInput input;  // how to read them
+  std::string potential = "rebo2", rings = "auto";
   std::optional<fs::path> xyz, csv, mesh, page;
   topology::BondWindow carbon_carbon = topology::BondDistances().carbon_carbon;
   std::size_t every = 1;
@@ -48,98 +44,16 @@ struct AnalyseCommand {
   std::string command_line;
 };
 
-struct Frame {
-  Molecule molecule;
-  std::vector<std::int64_t> ids;
-  std::optional<std::int64_t> step;
-};
-
 building::PotentialChoice choice_of(const std::string& potential) {
   if (potential == "airebo") return building::PotentialChoice::airebo;
   if (potential == "airebo-m") return building::PotentialChoice::airebo_m;
   return building::PotentialChoice::rebo2;
 }
 
-std::array<bool, 3> parse_boundary(const std::string& text) {
-  std::array<bool, 3> periodic = {};
-  std::string letters = text;
-  std::erase(letters, ' ');
-  if (letters.size() != 3 || letters.find_first_not_of("pfsm") != std::string::npos)
-    throw UserError(Failure::usage,
-                    "--boundary takes three letters as of LAMMPS, such as 'p p f', not '" + text + "'");
-  for (int d = 0; d < 3; ++d) periodic[d] = letters[d] == 'p';
-  return periodic;
-}
-
-#if __has_include("nanocarbon/molecule/formats/read_molecule.h")
-// The frames of a file, one after the other.
-class Frames {
- public:
-  Frames(const std::string& file, const std::string& boundary)
-      : name_(file), file_(file, options_of(boundary)) {}
-
-  std::optional<Frame> next() {
-    std::optional<molecule::MoleculeFrame> frame = file_.next();
-    if (!frame) return std::nullopt;
-    if (first_)
-      for (const std::string& warning : frame->warnings)
-        fmt::print(stderr, "nanocarbon: warning: {}: {}\n", name_, warning);
-    first_ = false;
-    return Frame{std::move(frame->molecule), std::move(frame->ids), frame->step};
-  }
-
- private:
-  static molecule::MoleculeReadOptions options_of(const std::string& boundary) {
-    molecule::MoleculeReadOptions options;
-    if (!boundary.empty()) options.periodic = parse_boundary(boundary);
-    return options;
-  }
-
-  std::string name_;
-  molecule::MoleculeFile file_;
-  bool first_ = true;
-};
-#else
-class Frames {
- public:
-  Frames(const std::string& file, const std::string& boundary) : frames_(read(file, boundary)) {}
-
-  std::optional<Frame> next() {
-    if (next_ == frames_.size()) return std::nullopt;
-    return std::move(frames_[next_++]);
-  }
-
- private:
-  static std::vector<Frame> read(const std::string& file, const std::string& boundary) {
-    std::string ending = fs::path(file).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    std::vector<Frame> frames;
-    if (ending == ".xyz" || ending == ".extxyz") {
-      for (Molecule& molecule : molecule::read_xyz_frames(file)) {
-        Frame frame{std::move(molecule), {}, {}};
-        for (std::size_t i = 0; i < frame.molecule.size(); ++i)
-          frame.ids.push_back(static_cast<std::int64_t>(i) + 1);
-        frames.push_back(std::move(frame));
-      }
-      return frames;
-    }
-    molecule::LammpsReadOptions options;
-    if (!boundary.empty()) options.periodic = parse_boundary(boundary);
-    molecule::LammpsData data = molecule::read_lammps_data(file, options);
-    frames.push_back({std::move(data.molecule), std::move(data.ids), {}});
-    return frames;
-  }
-
-  std::vector<Frame> frames_;
-  std::size_t next_ = 0;
-};
-#endif
-
 // What is kept of the frames gone through.
 struct Findings {
   std::vector<analysis::FrameSummary> frames;
-  Frame last;
+  molecule::MoleculeFrame last;
   analysis::Analysis analysis;
   analysis::FrameChange change;
   page::PageFrames page_frames;
@@ -169,13 +83,17 @@ class Analyser {
   void run(std::ostream* xyz) {
     ProgressBar bar(command_.quiet || command_.json);
     for (const std::string& file : command_.files) {
-      Frames frames(file, command_.boundary);
+      MoleculeInput input = command_.input;
+      input.file = file;
+      molecule::MoleculeFile frames(file, read_options(input));
       std::size_t number = 0;
-      for (; std::optional<Frame> frame = frames.next(); ++number) {
+      for (; std::optional<molecule::MoleculeFrame> frame = frames.next(); ++number) {
         if (number % command_.every != 0) continue;
+        if (number == 0) print_warnings(input, frame->warnings);
         bar.show(fmt::format("analysing frame {}", number + 1), 0.0);
         take(file, number, std::move(*frame), xyz);
       }
+      if (const auto unused = frames.unused_types()) print_warnings(input, {*unused});
     }
     if (findings.frames.empty())
       throw UserError(Failure::unsuitable, command_.files.front() + ": there are no atoms in it");
@@ -184,7 +102,7 @@ class Analyser {
   Findings findings;
 
  private:
-  void take(const std::string& file, std::size_t number, Frame frame, std::ostream* xyz) {
+  void take(const std::string& file, std::size_t number, molecule::MoleculeFrame frame, std::ostream* xyz) {
     if (frame.molecule.size() == 0)
       throw UserError(Failure::unsuitable,
                       fmt::format("{}: there are no atoms in frame {}", file, number + 1));
@@ -327,7 +245,9 @@ void add_analyse(CLI::App& app) {
   const auto command = std::make_shared<AnalyseCommand>();
   AnalyseCommand& c = *command;
   sub.add_option("FILE", c.files,
-                 "LAMMPS data or XYZ files; several are frames of one trajectory, in this order")
+                 "LAMMPS data files and text dumps, XYZ, extended XYZ, CIF or POSCAR, also packed by gzip; - "
+                 "for standard "
+                 "input. Several are one trajectory, in this order")
       ->required();
   sub.add_flag("--json", c.json,
                "Print JSON with everything, lists of the atoms of each ring and defect too");
@@ -362,9 +282,7 @@ void add_analyse(CLI::App& app) {
       ->transform(whole_number())
       ->check(between(1, 1e9))
       ->capture_default_str();
-  sub.add_option(
-      "--boundary", c.boundary,
-      "Which directions of a data file are periodic, such as 'p p f'; overrides what the file says");
+  add_read_options(sub, c.input);
   sub.add_option("--threads", c.threads, "Threads to use; by default as many as there are cores")
       ->transform(whole_number())
       ->check(between(1, 1024))
@@ -373,7 +291,7 @@ void add_analyse(CLI::App& app) {
   sub.footer(R"(Bonds are told by distance; a bond stays until --break. Rings of a surface are its faces.
 Examples:
   nanocarbon analyse bunny.data
-  nanocarbon analyse run.xyz --xyz columns.xyz --csv frames.csv
+  nanocarbon analyse run.lammpstrj.gz --types C H --xyz columns.xyz --csv frames.csv
   nanocarbon analyse amorphous.data --json --max-ring 10
   nanocarbon analyse relaxed.data --mesh dual.off)");
   sub.callback([command, &sub] {

@@ -29,6 +29,11 @@ void add_molecule_input(CLI::App& subcommand, MoleculeInput& input) {
           "LAMMPS data file or text dump, XYZ, extended XYZ, CIF or POSCAR, also packed by gzip; - for "
           "standard input")
       ->option_text("TEXT REQUIRED");
+  add_read_options(subcommand, input);
+  subcommand.parse_complete_callback([&input] { find_file(input); });
+}
+
+void add_read_options(CLI::App& subcommand, MoleculeInput& input) {
   subcommand
       .add_option(
           "--types", input.types,
@@ -42,7 +47,6 @@ void add_molecule_input(CLI::App& subcommand, MoleculeInput& input) {
       ->type_name("NAME");
   subcommand.add_option("--boundary", input.boundary,
                         "Which directions are periodic, such as 'p p f'; overrides what the file says");
-  subcommand.parse_complete_callback([&input] { find_file(input); });
 }
 
 void add_frame_option(CLI::App& subcommand, MoleculeInput& input) {

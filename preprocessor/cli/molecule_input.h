@@ -20,6 +20,9 @@ struct MoleculeInput {
   std::optional<std::int64_t> frame;
 };
 
+//! Adds --types, --atom-style and --boundary. \p input must outlive the app.
+void add_read_options(CLI::App& subcommand, MoleculeInput& input);
+
 //! Adds FILE, --types, --atom-style and --boundary. \p input must outlive the app.
 void add_molecule_input(CLI::App& subcommand, MoleculeInput& input);
 
