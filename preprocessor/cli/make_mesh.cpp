@@ -54,6 +54,20 @@ void add_sphere(CLI::App& mesh) {
       ->capture_default_str();
 }
 
+void add_nested_spheres(CLI::App& mesh) {
+  const char* const name = "nested-spheres";
+  const auto c = add_shape<shapes::NestedSpheres>(mesh, name, "Spheres about one centre, as for an onion",
+                                                  shapes::make_nested_spheres);
+  length(mesh, name, "--radius", c->shape.radius, "Radius of the innermost sphere");
+  length(mesh, name, "--gap", c->shape.gap, "From each sphere to the next");
+  length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
+  mesh.get_subcommand(name)
+      ->add_option("--count", c->shape.count, "Number of spheres")
+      ->transform(whole_number())
+      ->check(between(1, 100))
+      ->capture_default_str();
+}
+
 void add_hemisphere(CLI::App& mesh) {
   struct Hemisphere {
     double radius = 1.0, edge = 0.1;
@@ -198,6 +212,7 @@ void add_make_mesh(CLI::App& make) {
   CLI::App& mesh = *make.add_subcommand("mesh", "A smooth shape as a triangle mesh, for 'nanocarbon build'");
   mesh.require_subcommand(1);
   add_sphere(mesh);
+  add_nested_spheres(mesh);
   add_hemisphere(mesh);
   add_straight(mesh, "capsule", "A cylinder with round ends", shapes::make_capsule);
   add_straight(mesh, "cylinder", "A cylinder with two boundaries", shapes::make_cylinder);

@@ -10,6 +10,7 @@
 #include "nanocarbon/core/neighbours_within.h"
 #include "nanocarbon/minimisation/minimise_molecule.h"
 #include "nanocarbon/potential/airebo/airebo.h"
+#include "nanocarbon/shapes/shapes.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/topology/connected_components.h"
 #include "support/rough_sphere.h"
@@ -17,17 +18,9 @@
 namespace nanocarbon::building {
 namespace {
 
-//! Two spheres around each other, Angstrom.
-TriangleMesh nested_spheres(double radius, double gap) {
-  TriangleMesh both;
-  for (const double r : {radius, radius + gap}) {
-    const TriangleMesh sphere = test::unit_sphere(12);
-    const auto first = static_cast<VertexIndex>(both.points.size());
-    for (const Vec3& p : sphere.points) both.points.push_back(r * p);
-    for (const Triangle& t : sphere.triangles)
-      both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  return both;
+//! Spheres around each other, Angstrom.
+TriangleMesh nested_spheres(double radius, double gap, int count = 2) {
+  return shapes::make_nested_spheres({.radius = radius, .gap = gap, .count = count, .edge = 0.8});
 }
 
 double closest_of_different_components(const Molecule& molecule) {
@@ -70,6 +63,15 @@ TEST(PotentialChoice, AireboKeepsNestedSpheresApart) {
         largest = std::max(largest, f.norm());
       EXPECT_LT(largest, 1.1e-3);
     }
+}
+
+TEST(PotentialChoice, AireboKeepsATripleOnionApart) {
+  BuildOptions options = draft_at_scale(PotentialChoice::airebo);
+  options.quality = Quality::good;
+  const BuildResult result = build_molecule(nested_spheres(8, 3.4, 3), options);
+  EXPECT_TRUE(result.annealed->intact);
+  EXPECT_EQ(topology::connected_components(result.molecule.size(), result.molecule.bonds).count, 3u);
+  EXPECT_GT(closest_of_different_components(result.molecule), 2.9);
 }
 
 // LAMMPS's energies an atom after minimisation by rebo, airebo and airebo/morse.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/shapes/shapes.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "nanocarbon/core/error.h"
@@ -13,6 +14,9 @@
 namespace nanocarbon::shapes {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::Gt;
+using ::testing::Pair;
 using test::mesh_facts;
 using test::MeshFacts;
 
@@ -49,6 +53,23 @@ TEST(Shapes, Sphere) {
   // The icosahedron's edges span 63.43 degrees; blown up, the middles of its faces stretch.
   expect_sound(mesh, 2, 0, 2.0 * 1.107 / 10, {0.10, 50.0, 6});
   EXPECT_NEAR(mesh_facts(mesh).volume, 4.0 / 3.0 * pi * 8.0, 0.3);
+}
+
+TEST(Shapes, NestedSpheresAreSpheresAtTheirRadii) {
+  const TriangleMesh mesh = make_nested_spheres({.radius = 2.0, .gap = 0.5, .count = 3, .edge = 0.25});
+  std::map<long, int> points_at;  // radius in thousandths
+  for (const Vec3& p : mesh.points) ++points_at[std::lround(1000 * p.norm())];
+  EXPECT_THAT(points_at, ElementsAre(Pair(2000, Gt(300)), Pair(2500, Gt(450)), Pair(3000, Gt(650))));
+  const MeshFacts f = mesh_facts(mesh);
+  EXPECT_TRUE(f.manifold);
+  EXPECT_EQ(f.euler_characteristic, 6);
+  EXPECT_EQ(f.boundaries, 0u);
+  EXPECT_EQ(f.components, 3u);
+  EXPECT_NEAR(f.area, 4.0 * pi * (4.0 + 6.25 + 9.0), 2.0);
+  EXPECT_NEAR(f.mean_edge, 0.25, 0.05);
+  EXPECT_THROW(make_nested_spheres({.count = 0}), UserError);
+  EXPECT_THROW(make_nested_spheres({.gap = 0.0}), UserError);
+  EXPECT_THROW(make_nested_spheres({.radius = 100.0, .count = 100, .edge = 0.1}), UserError);
 }
 
 TEST(Shapes, Hemisphere) {

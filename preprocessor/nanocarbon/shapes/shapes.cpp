@@ -61,6 +61,27 @@ TriangleMesh make_sphere(double radius, int subdivisions) {
   return mesh;
 }
 
+TriangleMesh make_nested_spheres(const NestedSpheres& s) {
+  require(s.radius > 0.0 && s.gap > 0.0 && s.edge > 0.0, "the lengths of nested spheres must be above zero");
+  require(s.count >= 1 && s.count <= 100, "1 to 100 spheres can be nested");
+  require(s.edge <= 1.5 * s.radius, "the edge must not be longer than 1.5 radii");
+  double area = 0.0;
+  for (int i = 0; i < s.count; ++i) area += 4.0 * pi * std::pow(s.radius + i * s.gap, 2);
+  require_few_triangles(area, s.edge);
+  // The edge of an icosahedron in a sphere of radius 1.
+  const double icosahedron_edge = 1.0 / std::sin(0.4 * pi);
+  TriangleMesh all;
+  for (int i = 0; i < s.count; ++i) {
+    const double radius = s.radius + i * s.gap;
+    const TriangleMesh one = make_sphere(radius, std::min(1000, steps(icosahedron_edge * radius, s.edge, 1)));
+    const auto first = static_cast<VertexIndex>(all.points.size());
+    all.points.insert(all.points.end(), one.points.begin(), one.points.end());
+    for (const Triangle& t : one.triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return all;
+}
+
 TriangleMesh make_hemisphere(double radius, double edge) {
   require(radius > 0.0 && edge > 0.0, "the radius and the edge of a hemisphere must be above zero");
   require(edge <= 1.5 * radius, "the edge must not be longer than 1.5 radii");

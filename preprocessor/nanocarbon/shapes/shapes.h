@@ -13,6 +13,15 @@ namespace nanocarbon::shapes {
 //! A sphere: an icosahedron's faces cut into subdivisions^2 triangles each and blown up. Closed.
 TriangleMesh make_sphere(double radius, int subdivisions);
 
+//! Spheres about one centre, closed surfaces without contact: the meshes of an onion.
+struct NestedSpheres {
+  double radius = 1.0;  //!< of the innermost, mesh units
+  double gap = 0.5;     //!< from each to the next, mesh units
+  int count = 2;        //!< 1 to 100
+  double edge = 0.2;    //!< mesh units
+};
+TriangleMesh make_nested_spheres(const NestedSpheres& shape);
+
 //! The upper half of a sphere, its boundary in the plane z = 0.
 TriangleMesh make_hemisphere(double radius, double edge);
 
