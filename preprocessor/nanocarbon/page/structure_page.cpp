@@ -157,23 +157,23 @@ void PageFrames::offer(PageFrame frame) {
   const std::size_t room =
       std::clamp<std::size_t>(most_atoms / std::max<std::size_t>(1, frame.molecule.size()), 2, most_frames);
   const bool wanted = offered_++ % stride_ == 0;
-  last_.reset();
+  last_.clear();
   if (!wanted) {
-    last_ = std::move(frame);
+    last_.push_back(std::move(frame));
     return;
   }
   kept_.push_back(std::move(frame));
   if (kept_.size() <= room) return;
-  last_ = kept_.back();
+  last_.push_back(kept_.back());
   std::vector<PageFrame> every_second;
   for (std::size_t k = 0; k < kept_.size(); k += 2) every_second.push_back(std::move(kept_[k]));
-  if (kept_.size() % 2 == 1) last_.reset();
+  if (kept_.size() % 2 == 1) last_.clear();
   kept_ = std::move(every_second);
   stride_ *= 2;
 }
 
 std::vector<PageFrame> PageFrames::take() {
-  if (last_) kept_.push_back(std::move(*last_));
+  for (PageFrame& frame : last_) kept_.push_back(std::move(frame));
   return std::move(kept_);
 }
 

@@ -31,7 +31,7 @@ class PageFrames {
 
  private:
   std::vector<PageFrame> kept_;
-  std::optional<PageFrame> last_;  // where it is not among those kept
+  std::vector<PageFrame> last_;  // one, where it is not among those kept
   std::size_t offered_ = 0, stride_ = 1;
 };
 
