@@ -49,7 +49,7 @@ CLI::Validator named(const std::set<std::string>& extensions) {
 void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output) {
   subcommand.add_option("-o,--output", output.path, "File to write: .data (LAMMPS) or .xyz (extended XYZ)")
       ->required()
-      ->check(named({".data", ".xyz"}))
+      ->check(named({".data", ".xyz", ".extxyz"}))
       ->type_name("FILE");
   subcommand.add_option("--atom-style", output.atom_style, "LAMMPS atom style")
       ->check(CLI::IsMember({"atomic", "charge", "molecular", "full"}))

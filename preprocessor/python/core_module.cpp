@@ -20,8 +20,7 @@
 #include "nanocarbon/core/version.h"
 #include "nanocarbon/mesh/formats/load_surface.h"
 #include "nanocarbon/mesh/formats/write_mesh.h"
-#include "nanocarbon/molecule/formats/lammps_data.h"
-#include "nanocarbon/molecule/formats/xyz.h"
+#include "nanocarbon/molecule/formats/write_molecule.h"
 
 namespace nanocarbon::python {
 namespace {
@@ -56,16 +55,6 @@ py::list rings_of(const Molecule& molecule) {
   py::list rings;
   for (std::size_t r = 0; r < molecule.rings.size(); ++r) rings.append(copy_of<AtomIndex>(molecule.rings[r]));
   return rings;
-}
-
-void write(const Molecule& molecule, const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  if (ending == ".data")
-    molecule::write_lammps_data(path, molecule, {molecule::AtomStyle::molecular});
-  else if (ending == ".xyz" || ending == ".extxyz")
-    molecule::write_xyz(path, molecule);
-  else
-    throw UserError(Failure::usage, path.string() + ": name the file .data (LAMMPS) or .xyz (extended XYZ)");
 }
 
 // ---- building -------------------------------------------------------------------------------------------------
@@ -258,7 +247,12 @@ PYBIND11_MODULE(_core, module) {
                              [](const Molecule& m) {
                                return m.cell ? m.cell->periodic : std::array<bool, 3>{false, false, false};
                              })
-      .def("write", &write, py::arg("path"))
+      .def(
+          "write",
+          [](const Molecule& self, const std::filesystem::path& path) {
+            molecule::write_molecule(path, self, {molecule::AtomStyle::molecular});
+          },
+          py::arg("path"))
       .def(
           "triangulation",
           [](const Molecule& m, int max_ring) {
