@@ -51,8 +51,9 @@ void evaluate(benchmark::State& state, const Molecule& molecule, std::string_vie
   for (auto _ : state) {
     for (std::size_t i = 0; i < moving.size(); i += 7) moving.positions[i].x() += shift;
     shift = -shift;
-    benchmark::DoNotOptimize(
-        rebo2.evaluate(moving.positions, moving.elements, cell, {.general_only = general_only}).energy);
+    double energy =
+        rebo2.evaluate(moving.positions, moving.elements, cell, {.general_only = general_only}).energy;
+    benchmark::DoNotOptimize(energy);
   }
   state.counters["us/atom"] =
       benchmark::Counter(1e-6 * static_cast<double>(moving.size()) * static_cast<double>(state.iterations()),
