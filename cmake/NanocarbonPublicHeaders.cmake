@@ -2,9 +2,7 @@
 # The headers that are installed: the library's public interface. Whatever else is below preprocessor/nanocarbon is
 # private and may change at any time. A public header includes public headers only (a test looks after it).
 set(NANOCARBON_PUBLIC_HEADERS
-  annealing/trivalent_network.h
-  building/anneal_recipe.h
-  building/annealed_options.h
+  building/annealing_record.h
   building/build_molecule.h
   building/build_report.h
   building/likeness.h

@@ -178,9 +178,9 @@ void run(BuildCommand& command) {
   if (result.specks_dropped > 0)
     surface.repairs.push_back(fmt::format("dropped specks: {}", result.specks_dropped));
   if (result.specks_dropped > 0) tell("note", {surface.repairs.back()});
-  if (result.annealed && result.annealed->max_force > options.force_tolerance)
+  if (result.rest && result.rest->max_force > options.force_tolerance)
     tell("warning", {fmt::format("the largest force left is {:.1e} eV/A, not below the {:.1e} asked for",
-                                 result.annealed->max_force, options.force_tolerance)});
+                                 result.rest->max_force, options.force_tolerance)});
   if (result.annealed) warn_of_facing_sheets(result.molecule, options.potential, tell);
   const auto report =
       building::build_report(result, options, {command.command_line, command.mesh, surface.repairs});

@@ -31,11 +31,11 @@ page::PageContents build_page(const BuildCommand& command, const building::Build
   contents.title = std::filesystem::path(command.mesh).stem().string();
   contents.command = fmt::format("{} (nanocarbon {})", command.command_line, version);
   contents.mesh = result.surface.mesh;
-  if (result.annealed) {
-    contents.verdict = result.annealed->intact ? "holds" : "does not hold";
-    contents.mood = result.annealed->intact ? page::Mood::good : page::Mood::bad;
+  if (result.rest) {
+    contents.verdict = result.rest->intact ? "holds" : "does not hold";
+    contents.mood = result.rest->intact ? page::Mood::good : page::Mood::bad;
     contents.facts.emplace_back(
-        "verdict", result.annealed->intact ? "the potential binds exactly the atoms that the molecule binds"
+        "verdict", result.rest->intact ? "the potential binds exactly the atoms that the molecule binds"
                                            : "the potential binds other atoms than the molecule does");
   }
   const auto potential = building::make_potential(command.build.potential);

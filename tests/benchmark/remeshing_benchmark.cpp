@@ -127,8 +127,8 @@ void WholeRecipe(benchmark::State& state) {
   thesis::ThesisResult result;
   for (auto _ : state) result = thesis::remesh_by_thesis(mesh, {});
   per_triangle(state, result.mesh.triangles.size());
-  state.counters["iterations"] = result.iterations;
-  state.counters["outside_percent"] = result.edges.percent_outside();
+  state.counters["iterations"] = result.record.iterations;
+  state.counters["outside_percent"] = result.record.edges.percent_outside();
 }
 
 void WholeRecipeOnTheBunny(benchmark::State& state) {
@@ -141,8 +141,8 @@ void WholeRecipeOnTheBunny(benchmark::State& state) {
   thesis::ThesisResult result;
   for (auto _ : state) result = thesis::remesh_by_thesis(mesh, options);
   per_triangle(state, result.mesh.triangles.size());
-  state.counters["iterations"] = result.iterations;
-  state.counters["outside_percent"] = result.edges.percent_outside();
+  state.counters["iterations"] = result.record.iterations;
+  state.counters["outside_percent"] = result.record.edges.percent_outside();
 }
 
 #define AT_THREE_SIZES(step) \

@@ -37,10 +37,10 @@ TEST(CertifiedBuild, TellsOfTheMoleculeAtItsMinimumAndNotBefore) {
   options.force_tolerance = 10;
   options.certify = true;
   const BuildResult result = build_molecule(needle, options);
-  EXPECT_NEAR(result.annealed->closest_unbonded, closest_unbonded(result.molecule, 2.2), 1e-9);
+  EXPECT_NEAR(result.rest->closest_unbonded, closest_unbonded(result.molecule, 2.2), 1e-9);
   Molecule again = result.molecule;
   rebo2::Rebo2 rebo2;
-  EXPECT_EQ(result.annealed->intact,
+  EXPECT_EQ(result.rest->intact,
             minimisation::minimise_molecule(again, rebo2, {.force_tolerance = 1e-6}).intact);
 }
 

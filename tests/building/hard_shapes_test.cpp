@@ -12,6 +12,7 @@
 #include "nanocarbon/shapes/shapes.h"
 #include "nanocarbon/topology/connected_components.h"
 #include "remeshing/shapes.h"
+#include "support/plates.h"
 
 namespace nanocarbon::building {
 namespace {
@@ -31,22 +32,6 @@ TriangleMesh inside_out(TriangleMesh mesh) {
 
 TriangleMesh flattened(TriangleMesh mesh, double factor) {
   for (Vec3& p : mesh.points) p.z() *= factor;
-  return mesh;
-}
-
-// A round plate of the given radius and thickness, with a half-round rim.
-TriangleMesh pill(double radius, double thickness) {
-  TriangleMesh mesh = shapes::make_sphere(1, 24);
-  const double rim = std::numbers::pi * thickness / 2, whole = 2 * radius + rim;
-  for (Vec3& p : mesh.points) {
-    const double along = std::acos(std::clamp(p.z(), -1.0, 1.0)) / std::numbers::pi * whole;
-    const double turn = std::clamp((along - radius) / rim, 0.0, 1.0) * std::numbers::pi;
-    const double flat = along < radius ? along : along > radius + rim ? whole - along : radius;
-    const double out = flat + (flat == radius ? 0.5 * thickness * std::sin(turn) : 0);
-    const double across = std::hypot(p.x(), p.y());
-    const double share = across > 0 ? out / across : 0;
-    p = Vec3(share * p.x(), share * p.y(), 0.5 * thickness * std::cos(turn));
-  }
   return mesh;
 }
 
@@ -88,7 +73,7 @@ void expect_molecule_that_holds(const TriangleMesh& surface, std::size_t atoms, 
   options.quality = Quality::draft;
   const BuildResult result = build_molecule(surface, options);
   const Molecule& molecule = result.molecule;
-  EXPECT_TRUE(result.annealed->intact);
+  EXPECT_TRUE(result.rest->intact);
   EXPECT_NEAR(static_cast<double>(molecule.size()), static_cast<double>(atoms),
               std::max(0.01 * static_cast<double>(atoms), 4.0));
   const mesh::MeshTopology topology = mesh::mesh_topology(surface);
@@ -125,7 +110,7 @@ TEST(HardShapes, ALensWithASharpRim) {
 }
 
 // Sheets 2.5 Angstrom apart: refused, but with --force the molecule makes the room it needs.
-TEST(HardShapes, APlateThinnerThanTwoSheets) { expect_molecule_that_holds(pill(14, 2.5), 608, true); }
+TEST(HardShapes, APlateThinnerThanTwoSheets) { expect_molecule_that_holds(test::pill(14, 2.5), 608, true); }
 
 // At a quarter of the atoms the finger is thinner than any tube: what is refined from there must not have
 // lost it. Its end cap may round off.
@@ -135,7 +120,7 @@ TEST(HardShapes, AThinFingerKeepsItsLength) {
   options.size = AtomCount{2180};
   options.threads = 2;
   const BuildResult result = build_molecule(surface, options);
-  EXPECT_TRUE(result.annealed->intact);
+  EXPECT_TRUE(result.rest->intact);
   const Vec3 tip = surface.points[static_cast<std::size_t>(
       std::max_element(surface.points.begin(), surface.points.end(),
                        [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) -

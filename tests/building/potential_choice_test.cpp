@@ -52,7 +52,7 @@ TEST(PotentialChoice, AireboKeepsNestedSpheresApart) {
       if (gap == 3.4 && choice == PotentialChoice::airebo_m) continue;
       const BuildResult result = build_molecule(nested_spheres(8, gap), options);
       SCOPED_TRACE(gap);
-      EXPECT_TRUE(result.annealed->intact);
+      EXPECT_TRUE(result.rest->intact);
       EXPECT_GT(closest_of_different_components(result.molecule), 2.9);
       EXPECT_LT(closest_of_different_components(result.molecule), 8.0);
       // At rest under that potential and no other.

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nanocarbon/building/anneal_recipe.h"
+#include "nanocarbon/building/annealed_options.h"
 
 namespace nanocarbon::building {
 namespace {

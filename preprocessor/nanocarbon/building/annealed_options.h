@@ -4,21 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string_view>
 
 #include "nanocarbon/core/quality.h"
-#include "nanocarbon/mesh/triangle_mesh.h"
 #include "nanocarbon/minimisation/cell_minimum.h"
 
 namespace nanocarbon::building {
-
-//! Makes a triangulation of a surface with about the given number of faces, in the surface's unit.
-using Triangulator =
-    std::function<TriangleMesh(const TriangleMesh& surface, std::size_t faces, std::uint64_t seed)>;
-
-//! The surface with its thin parts and gaps made wide enough for carbon, Angstrom; nothing where they are.
-using RoomMaker = std::function<std::optional<TriangleMesh>(const TriangleMesh& surface)>;
 
 //! Stiff enough that bond switches feel within their reach what bends the sheet away from the surface:
 //! (1.4 eV, graphene's bending rigidity, over the tether for each area)^(1/4) is 3 Angstrom. eV/Angstrom^2.
@@ -38,8 +29,8 @@ struct AnnealOptions {
   bool keep_size = false;
   //! Strains of a periodic cell that the last minimisation frees.
   minimisation::CellRelaxation relax_cell = minimisation::CellRelaxation::none;
-  long largest_ring = 7;     //!< atoms in a ring that annealing makes
-  RoomMaker make_room = {};  //!< empty: there is room
+  long largest_ring = 7;  //!< atoms in a ring that annealing makes
+  //! Called now and then with what is being done and how much of it, 0 to 1.
   std::function<void(std::string_view stage, double share)> progress = {};
 };
 

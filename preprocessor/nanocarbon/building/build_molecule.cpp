@@ -4,40 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 #include <variant>
 
-#include "nanocarbon/annealing/geometry_check.h"
+#include "nanocarbon/building/anneal_recipe.h"
 #include "nanocarbon/building/dual_minimum.h"
 #include "nanocarbon/building/failed_molecule.h"
 #include "nanocarbon/building/size_advice.h"
+#include "nanocarbon/building/stopwatch.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/mesh/repair/drop_specks.h"
 #include "nanocarbon/molecule/dual.h"
-#include "nanocarbon/remeshing/crystal/crystallise.h"
-#include "nanocarbon/remeshing/features/make_room.h"
 #include "nanocarbon/topology/connected_components.h"
 
 namespace nanocarbon::building {
 namespace {
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // Atoms, bonds and rings are faces, edges and vertices; what a boundary lacks of them adds up to nothing.
 std::int64_t euler_characteristic(const Molecule& molecule) {
@@ -62,37 +47,46 @@ void require_same_topology(const mesh::MeshTopology& surface, const BuildResult&
 }
 
 // Parts that are thinner than an edge are pulled together by the low-pass filter and collapse.
-void require_shape(const BuildResult& result) {
+void require_shape(std::size_t atoms, std::size_t room) {
   constexpr double smallest_part =
       0.5;  // replacing the projection mesh costs some of the area, never this much
-  const std::size_t atoms = result.triangulation.triangles.size();
-  if (static_cast<double>(atoms) >= smallest_part * static_cast<double>(result.surface.atoms)) return;
+  if (static_cast<double>(atoms) >= smallest_part * static_cast<double>(room)) return;
   throw UserError(
       Failure::failed,
       fmt::format("the shape was lost: {} atoms are left where there is room for {}; ask for more "
                   "atoms, try --projection-interval 0, or take it as it is with --force",
-                  atoms, result.surface.atoms));
+                  atoms, room));
 }
 
-void build_by_thesis(BuildResult& result, const BuildOptions& options) {
+// The surface of the size, and in the cell, that the molecule has in the end.
+SizedSurface fitted(SizedSurface surface, double growth, const Mat3& deformation = Mat3::Identity()) {
+  surface.scale *= growth;
+  rescale(surface.mesh, growth);
+  if (surface.mesh.space.periodic()) {
+    mesh::deform(surface.mesh, deformation);
+    surface.scale *= std::cbrt(deformation.determinant());
+  }
+  return surface;
+}
+
+BuildResult build_by_thesis(SizedSurface surface, const BuildOptions& options) {
   Stopwatch stage;
   thesis::ThesisOptions thesis = options.thesis;
   thesis.threads = options.threads;
   // A number of atoms is met by adjusting the scale on the way; a length or a scale is the user's own.
   if (std::holds_alternative<AtomCount>(options.size) ||
       std::holds_alternative<AtomPerTriangle>(options.size))
-    thesis.atoms = result.surface.atoms;
+    thesis.atoms = surface.atoms;
   if (options.progress)
     thesis.progress = [&](const thesis::ThesisProgress& p) {
       options.progress("remeshing", static_cast<double>(p.iteration) / p.max_iterations);
     };
-  result.thesis = thesis::remesh_by_thesis(result.surface.mesh, thesis);
-  result.triangulation = std::exchange(result.thesis->mesh, {});
-  result.surface.scale *= result.thesis->scale;
-  rescale(result.surface.mesh, result.thesis->scale);
+  thesis::ThesisResult remeshed = thesis::remesh_by_thesis(surface.mesh, thesis);
+  BuildResult result;
+  result.surface = fitted(std::move(surface), remeshed.scale);
   result.seconds.remeshing = stage.lap();
-  if (!options.force) require_shape(result);
-  result.molecule = molecule::dual(result.triangulation);
+  if (!options.force) require_shape(remeshed.mesh.triangles.size(), result.surface.atoms);
+  result.molecule = molecule::dual(remeshed.mesh);
   if (options.relax) {
     if (options.progress) options.progress("relaxing the dual", 0.0);
     const auto relaxed = minimise_dual(result.molecule, *make_potential(options.potential),
@@ -103,11 +97,13 @@ void build_by_thesis(BuildResult& result, const BuildOptions& options) {
           "the dual cannot be relaxed with the bonds it has: the potential would bind other atoms; take the "
           "default recipe, or the molecule as it is with --force");
   }
+  result.triangulation = std::move(remeshed.mesh);
+  result.thesis = std::move(remeshed.record);
   result.seconds.molecule = stage.lap();
+  return result;
 }
 
-void require_room_for_features(const BuildResult& result, const BuildOptions& options) {
-  const SizedSurface& surface = result.surface;
+void require_room_for_features(const SizedSurface& surface, const BuildOptions& options) {
   const features::FeatureReport features = features::check_features(surface.mesh, {}, options.threads);
   if (features.ok()) return;
   const features::FeatureProblem& worst = features.problems.front();
@@ -135,16 +131,12 @@ void require_rings_of_carbon(const Molecule& molecule) {
             wrong));
 }
 
-void require_bonds_that_hold(const BuildResult& result, const BuildOptions& options) {
-  if (!result.annealed->intact && !options.force)
-    throw TooFewAtoms(Failure::failed, describe_failure(result.molecule, result.surface));
+void require_bonds_that_hold(bool intact, const Molecule& molecule, const SizedSurface& surface) {
+  if (!intact) throw TooFewAtoms(Failure::failed, describe_failure(molecule, surface));
 }
 
-void require_likeness(BuildResult& result, potential::Potential& potential, const BuildOptions& options) {
-  result.likeness =
-      likeness(result.molecule, result.surface.mesh, result.annealed->energy - potential.graphene_energy());
-  const Likeness& l = *result.likeness;
-  if (options.force || !(l.far() || l.strained())) return;
+void require_likeness(const Likeness& l) {
+  if (!l.far() && !l.strained()) return;
   const std::string what =
       l.far() ? fmt::format(
                     "its atoms lie {:.1f} A from the surface in the mean, {:.0f}% of the shape's radius of "
@@ -155,23 +147,6 @@ void require_likeness(BuildResult& result, potential::Potential& potential, cons
                     "curvature and boundary cost",
                     1e3 * l.energy, l.energy_share, 1e3 * l.expected_energy);
   throw TooFewAtoms(Failure::failed, "the molecule is not the shape: " + what);
-}
-
-// Goes on to the minimum, which may be far from where annealing was asked to stop.
-void certify_annealed(BuildResult& result, potential::Potential& potential, const BuildOptions& options) {
-  const minimisation::Certificate certificate = minimisation::certify(
-      result.molecule, potential,
-      {.force_tolerance = std::min(minimisation::certified_force, options.force_tolerance)});
-  AnnealResult& annealed = *result.annealed;
-  annealed.energy = certificate.energy / static_cast<double>(result.molecule.size());
-  annealed.max_force = certificate.max_force;
-  annealed.intact = certificate.intact;
-  const annealing::GeometryCheck check =
-      annealing::check_geometry(result.molecule.positions, annealing::fixed_bond_graph(result.molecule));
-  annealed.shortest_bond = check.shortest_bond;
-  annealed.longest_bond = check.longest_bond;
-  annealed.closest_unbonded = check.closest_unbonded;
-  result.certificate = certificate;
 }
 
 std::vector<int> ranks_of(const TriangleMesh& surface) {
@@ -193,76 +168,84 @@ void require_wide_cell(const SizedSurface& surface) {
           static_cast<std::size_t>(std::ceil(grown * grown * static_cast<double>(surface.atoms)))));
 }
 
-void build_by_annealing(BuildResult& result, const BuildOptions& options) {
-  Stopwatch stage;
-  if (!options.force) require_room_for_features(result, options);
-  const std::unique_ptr<potential::Potential> potential = make_potential(options.potential);
-  const bool periodic = result.surface.mesh.space.periodic();
-  if (options.certify && periodic)
-    throw UserError(Failure::usage, "--certify does not know periodic cells yet; leave it out");
-  const Triangulator triangulate = [&](const TriangleMesh& surface, std::size_t faces, std::uint64_t seed) {
-    Stopwatch crystal;
-    crystal::CrystalOptions wanted{
-        .faces = faces, .seed = seed, .quality = options.quality, .progress = options.progress};
-    // Only smooth shapes are annealed at a sixteenth of the atoms, and there the first seed is enough.
-    if (faces < result.surface.atoms / 8) wanted.attempts = 1;
-    crystal::CrystalResult made = crystal::crystallise(surface, wanted);
-    result.seconds.remeshing += crystal.lap();
-    return std::move(made.mesh);
-  };
+AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh& surface) {
   AnnealOptions annealing{.quality = options.quality,
+                          .tether = tether_of(options),
                           .force_tolerance = options.force_tolerance,
                           .seed = options.seed,
                           .threads = options.threads,
+                          .keep_size = keeps_size(options.size),
+                          .relax_cell = relaxed_strains(options, surface),
                           .progress = options.progress};
-  annealing.keep_size = keeps_size(options.size);
-  annealing.tether = tether_of(options);
-  if (periodic) {
-    annealing.relax_cell = relaxed_strains(options, result.surface.mesh);
-    const std::vector<int> ranks = ranks_of(result.surface.mesh);
+  if (surface.space.periodic()) {
+    const std::vector<int> ranks = ranks_of(surface);
     if (*std::min_element(ranks.begin(), ranks.end()) == 3) annealing.largest_ring = 8;
   }
-  annealing.make_room = [&](const TriangleMesh& thin) {
-    return features::with_room_for_sheets(thin, features::resting_sheet_distance, options.threads);
-  };
+  return annealing;
+}
+
+AnnealResult annealed(const SizedSurface& surface, potential::Potential& potential,
+                      const BuildOptions& options) {
   try {
-    result.annealed = anneal(result.surface.mesh, result.surface.atoms, triangulate, *potential, annealing);
+    return anneal(surface.mesh, surface.atoms, potential, annealing_options(options, surface.mesh));
   } catch (const UserError& error) {
     if (error.failure() == Failure::size) throw TooFewAtoms(error.failure(), error.what());
     throw;
   }
-  result.molecule = std::exchange(result.annealed->molecule, {});
-  result.surface.scale *= result.annealed->growth;
-  rescale(result.surface.mesh, result.annealed->growth);
-  if (periodic) {
-    mesh::deform(result.surface.mesh, result.annealed->deformation);
-    result.surface.scale *= std::cbrt(result.annealed->deformation.determinant());
+}
+
+BuildResult build_by_annealing(SizedSurface surface, const BuildOptions& options) {
+  Stopwatch stage;
+  if (!options.force) require_room_for_features(surface, options);
+  const std::unique_ptr<potential::Potential> potential = make_potential(options.potential);
+  if (options.certify && surface.mesh.space.periodic())
+    throw UserError(Failure::usage, "--certify does not know periodic cells yet; leave it out");
+  AnnealResult made = annealed(surface, *potential, options);
+  Molecule molecule = std::move(made.minimum.molecule);
+  surface = fitted(std::move(surface), made.minimum.growth, made.minimum.deformation);
+  RestingState rest = made.minimum.rest;
+  if (!options.force) {
+    require_bonds_that_hold(rest.intact, molecule, surface);
+    require_rings_of_carbon(molecule);
   }
-  require_bonds_that_hold(result, options);
-  if (!options.force) require_rings_of_carbon(result.molecule);
+  std::optional<minimisation::Certificate> certificate;
   if (options.certify) {
     if (options.progress) options.progress("certifying", 0.0);
-    certify_annealed(result, *potential, options);
-    require_bonds_that_hold(result, options);
+    // Goes on to the minimum, which may be far from where annealing was asked to stop.
+    certificate = minimisation::certify(
+        molecule, *potential,
+        {.force_tolerance = std::min(minimisation::certified_force, options.force_tolerance)});
+    rest = resting_state(molecule, certificate->energy, certificate->max_force, certificate->intact);
+    if (!options.force) require_bonds_that_hold(rest.intact, molecule, surface);
   }
-  require_likeness(result, *potential, options);
-  result.triangulation = annealing::triangulation_of(result.annealed->network, result.molecule.positions,
-                                                     Space(result.molecule.cell));
-  result.seconds.molecule = stage.lap() - result.seconds.remeshing;
+  const Likeness like = likeness(molecule, surface.mesh, rest.energy - potential->graphene_energy());
+  if (!options.force) require_likeness(like);
+  BuildResult result;
+  result.triangulation =
+      annealing::triangulation_of(made.minimum.network, molecule.positions, Space(molecule.cell));
+  result.surface = std::move(surface);
+  result.molecule = std::move(molecule);
+  result.rest = rest;
+  result.annealed = made.record;
+  result.likeness = like;
+  result.certificate = std::move(certificate);
+  result.seconds.remeshing = made.remeshing_seconds;
+  result.seconds.molecule = stage.lap() - made.remeshing_seconds;
+  return result;
 }
 
 BuildResult build_once(const TriangleMesh& surface, const BuildOptions& options) {
-  const bool annealed = options.recipe == Recipe::annealed;
+  const bool anneals = options.recipe == Recipe::annealed;
   const double thesis_bond = 0.5 * (options.thesis.min_bond + options.thesis.max_bond);
-  BuildResult result;
   Stopwatch whole;
-  result.surface = sized_without_specks(surface, options.size, annealed ? options.bond_length : thesis_bond,
-                                        options.drop_specks, result.specks_dropped);
-  if (surface.space.periodic()) require_wide_cell(result.surface);
-  if (annealed)
-    build_by_annealing(result, options);
-  else
-    build_by_thesis(result, options);
+  std::size_t specks_dropped = 0;
+  SizedSurface sized =
+      sized_without_specks(surface, options.size, anneals ? options.bond_length : thesis_bond,
+                           options.drop_specks, specks_dropped);
+  if (surface.space.periodic()) require_wide_cell(sized);
+  BuildResult result =
+      anneals ? build_by_annealing(std::move(sized), options) : build_by_thesis(std::move(sized), options);
+  result.specks_dropped = specks_dropped;
   require_same_topology(mesh::mesh_topology(result.surface.mesh), result);
   result.seconds.total = whole.lap();
   return result;

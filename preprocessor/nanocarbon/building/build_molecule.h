@@ -6,10 +6,12 @@
 #include <optional>
 #include <string_view>
 
-#include "nanocarbon/building/anneal_recipe.h"
+#include "nanocarbon/building/annealing_record.h"
 #include "nanocarbon/building/likeness.h"
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/building/size_request.h"
+#include "nanocarbon/core/quality.h"
+#include "nanocarbon/minimisation/cell_minimum.h"
 #include "nanocarbon/minimisation/certificate.h"
 #include "nanocarbon/molecule/molecule.h"
 #include "nanocarbon/remeshing/thesis/thesis_recipe.h"
@@ -38,7 +40,7 @@ struct BuildOptions {
   //! @{
   double bond_length = 1.42;  //!< used to compute the size, Angstrom
   Quality quality = Quality::good;
-  std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: anneal_recipe.h
+  std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: tether_of()
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
   //! Prove that the molecule is at a minimum (certificate.h); only with potentials of bonds alone.
   bool certify = false;
@@ -86,10 +88,11 @@ struct BuildResult {
   std::size_t specks_dropped = 0;
   TriangleMesh triangulation;  //!< Angstrom; the molecule is its dual
   Molecule molecule;
-  std::optional<AnnealResult> annealed;  //!< what annealing did; its molecule has moved to molecule
-  std::optional<Likeness> likeness;      //!< where energy was minimised
+  std::optional<RestingState> rest;                      //!< of the annealed recipe, as are the next three
+  std::optional<AnnealingRecord> annealed;               //!< what annealing did
+  std::optional<Likeness> likeness;                      //!< to the surface
   std::optional<minimisation::Certificate> certificate;  //!< where asked for
-  std::optional<thesis::ThesisResult> thesis;  //!< what remeshing did; its mesh has moved to triangulation
+  std::optional<thesis::ThesisRecord> thesis;            //!< what remeshing by the thesis did
   BuildSeconds seconds;
 };
 

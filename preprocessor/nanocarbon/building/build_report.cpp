@@ -74,7 +74,7 @@ Json distance_json(const mesh::DistanceStatistics& d) {
   return {{"mean", d.mean}, {"rms", d.rms}, {"max", d.max}};
 }
 
-Json thesis_json(const thesis::ThesisResult& r) {
+Json thesis_json(const thesis::ThesisRecord& r) {
   Json history = Json::array();
   for (const thesis::EdgeCounts& c : r.history) history.push_back({c.edges, c.too_short, c.too_long});
   return {{"iterations", r.iterations},
@@ -102,13 +102,13 @@ Json thesis_json(const thesis::ThesisResult& r) {
 }
 
 // \param graphene energy of an atom of it by the potential of the last minimisation, eV
-Json annealed_json(const AnnealResult& r, double graphene) {
-  return {{"energy_per_atom", r.energy},
-          {"above_graphene", r.energy - graphene},
+Json annealed_json(const RestingState& rest, const AnnealingRecord& r, double graphene) {
+  return {{"energy_per_atom", rest.energy},
+          {"above_graphene", rest.energy - graphene},
           {"above_graphene_unannealed", r.unannealed_energy - rebo2::graphene_energy},
-          {"max_force", r.max_force},
-          {"closest_unbonded", r.closest_unbonded},
-          {"rebo2_sees_these_bonds", r.intact},
+          {"max_force", rest.max_force},
+          {"closest_unbonded", rest.closest_unbonded},
+          {"rebo2_sees_these_bonds", rest.intact},
           {"refinements", r.refinements},
           {"bond_switches", r.accepted}};
 }
@@ -212,7 +212,7 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
       {"triangulation_to_surface", distance_json(triangulation.there)}};
   if (result.annealed)
     report["annealing"] =
-        annealed_json(*result.annealed, make_potential(options.potential)->graphene_energy());
+        annealed_json(*result.rest, *result.annealed, make_potential(options.potential)->graphene_energy());
   if (result.likeness)
     report["likeness"] = {{"shape_radius", result.likeness->shape_radius},
                           {"distance_to_radius", result.likeness->distance_share},

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/coarse_starts.h"
 
+#include <cmath>
 #include <utility>
 
 #include "nanocarbon/building/annealing_schedules.h"
+#include "nanocarbon/building/crystal_start.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
+#include "nanocarbon/remeshing/features/make_room.h"
 
 namespace nanocarbon::building {
 
@@ -26,72 +29,88 @@ constexpr double lost_for_good = 12;
 // that holds and shows the shape. C60 has 0.55, C240 0.20.
 constexpr double most_bent = 0.35;
 
-}  // namespace
-
-CoarseStarts::CoarseStarts(const TriangleMesh& surface, std::size_t atoms, int refinements,
-                           Triangulator triangulate, AnnealOptions options)
-    : surface_(surface),
-      atoms_(atoms >> (2 * refinements)),
-      refinements_(refinements),
-      triangulate_(std::move(triangulate)),
-      options_(std::move(options)),
-      attempts_(options_.quality == Quality::best ? 4 : 2) {
-  rescale(surface_, scale());
+bool too_bent(const annealing::AnnealingLevel& level, int refinements, Quality quality) {
+  return refinements > 1 && quality != Quality::best && level.unannealed > rebo2::graphene_energy + most_bent;
 }
 
-std::optional<annealing::AnnealingLevel> CoarseStarts::next() {
-  std::optional<annealing::AnnealingLevel> level = annealed();
-  if (!level && annealed_ < attempts_ && make_room()) level = annealed();
-  ++attempt_;
-  return level;
-}
+double scale_of(int refinements) { return std::ldexp(1.0, -refinements); }
 
-// Whether there is more room now. Once is enough for all starts that follow.
-bool CoarseStarts::make_room() {
-  if (roomy_ || !options_.make_room) return false;
-  roomy_ = true;
-  std::optional<TriangleMesh> roomy = options_.make_room(surface_);
-  if (!roomy) return false;
-  surface_ = *std::move(roomy);
-  lost_for_good_ = false;
-  return true;
-}
-
-std::optional<annealing::AnnealingLevel> CoarseStarts::triangulated() const {
+// The level has its own seed and a stiffer tether. Nothing where there are too few atoms for the topology.
+CrystalStart coarse_crystal(const TriangleMesh& surface, std::size_t atoms, int refinements, int attempt,
+                            AnnealOptions options) {
+  options.seed += static_cast<std::uint64_t>(attempt);
+  options.tether *= std::pow(coarse_tether, refinements);
+  // Only smooth shapes are annealed at a sixteenth of the atoms, and there the first seed is enough.
+  const int attempts = refinements > 1 ? 1 : crystal::CrystalOptions{}.attempts;
   try {
-    return annealing::level_on(
-        triangulate_(surface_, atoms_, options_.seed + static_cast<std::uint64_t>(attempt_)),
-        options_.tether * std::pow(coarse_tether, refinements_), !options_.keep_size);
-  } catch (const UserError&) {  // too few atoms for the surface's topology
+    return crystal_start(surface, atoms, options, attempts);
+  } catch (const UserError&) {
     return {};
   }
 }
 
-bool CoarseStarts::too_bent(const annealing::AnnealingLevel& level) const {
-  return refinements_ > 1 && options_.quality != Quality::best &&
-         level.unannealed > rebo2::graphene_energy + most_bent;
+}  // namespace
+
+CoarseStart anneal_coarse_start(annealing::AnnealingLevel level, const TriangleMesh& surface,
+                                std::size_t atoms, int refinements, const AnnealOptions& options,
+                                std::uint64_t seed) {
+  const double scale = scale_of(refinements);
+  const annealing::TetherSurface tether_surface(surface, 1);
+  annealing::relax_level(level, tether_surface);
+  const bool near = level.mean_distance < coarse_distance * scale;
+  if (!near || too_bent(level, refinements, options.quality) ||
+      !(annealing::lost_reach(level, surface) < lost_at_start * scale))
+    return {};
+  annealing::BondSwitchingOptions hot = hot_schedule(atoms, true, options);
+  hot.seed = seed;
+  hot.progress = [&](int block, double, std::size_t, std::size_t) {
+    if (options.progress) options.progress("annealing coarsely", (block + 1.0) / hot.blocks);
+  };
+  annealing::anneal_level(level, tether_surface, hot);
+  CoarseStart start;
+  start.annealed = true;
+  const double lost = annealing::lost_reach(level, surface);
+  start.hopeless = lost > lost_for_good * scale;
+  if (lost < lost_in_the_end * scale && annealing::holds(level)) start.level = std::move(level);
+  return start;
 }
 
-std::optional<annealing::AnnealingLevel> CoarseStarts::annealed() {
-  std::optional<annealing::AnnealingLevel> level = triangulated();
-  if (!level) return {};
-  const annealing::TetherSurface tether_surface(surface_, 1);
-  annealing::relax_level(*level, tether_surface);
-  const bool near = level->mean_distance < coarse_distance * scale();
-  if (!near || too_bent(*level) || !(annealing::lost_reach(*level, surface_) < lost_at_start * scale()))
-    return {};
-  annealing::BondSwitchingOptions hot = hot_schedule(atoms_, true, options_);
-  hot.seed += 1000 * static_cast<std::uint64_t>(attempt_);
-  hot.progress = [&](int block, double, std::size_t, std::size_t) {
-    if (options_.progress)
-      options_.progress("annealing coarsely", (annealed_ + (block + 1.0) / hot.blocks) / attempts_);
+CoarseStarts coarse_starts(const TriangleMesh& full, std::size_t atoms, int refinements,
+                           const AnnealOptions& options) {
+  const int most = options.quality == Quality::best ? 4 : 2;
+  const std::size_t coarse_atoms = atoms >> (2 * refinements);
+  TriangleMesh surface = full;
+  rescale(surface, scale_of(refinements));
+  CoarseStarts starts;
+  AnnealOptions told = options;
+  if (options.progress)
+    told.progress = [&](std::string_view stage, double share) {
+      options.progress(stage, (starts.annealed + share) / most);
+    };
+  const auto next = [&]() -> CoarseStart {
+    CrystalStart crystal = coarse_crystal(surface, coarse_atoms, refinements, starts.tried, options);
+    starts.seconds += crystal.seconds;
+    if (!crystal.level) return {};
+    const auto attempt = static_cast<std::uint64_t>(starts.tried);
+    CoarseStart start = anneal_coarse_start(*std::move(crystal.level), surface, coarse_atoms, refinements,
+                                            told, options.seed + 1000 * attempt);
+    starts.annealed += start.annealed;
+    return start;
   };
-  annealing::anneal_level(*level, tether_surface, hot);
-  ++annealed_;
-  const double lost = annealing::lost_reach(*level, surface_);
-  lost_for_good_ = lost > lost_for_good * scale();
-  if (!(lost < lost_in_the_end * scale()) || !annealing::holds(*level)) return {};
-  return level;
+  bool room_was_made = false, hopeless = false;
+  for (; starts.tried < most && starts.annealed < most && !hopeless; ++starts.tried) {
+    CoarseStart start = next();
+    if (!start.level && starts.annealed < most && !std::exchange(room_was_made, true))
+      if (auto roomy =
+              features::with_room_for_sheets(surface, features::resting_sheet_distance, options.threads)) {
+        surface = *std::move(roomy);
+        starts.widened = true;
+        start = next();
+      }
+    hopeless = start.hopeless;
+    if (start.level) starts.levels.push_back(*std::move(start.level));
+  }
+  return starts;
 }
 
 }  // namespace nanocarbon::building

@@ -16,13 +16,13 @@ ThesisResult remeshed(const TriangleMesh& surface, std::size_t triangles, Thesis
 TEST(ThesisConvergence, ConvergesOnSmoothShapes) {
   for (const TriangleMesh& shape : {test::sphere(1.0, 4), test::torus(3.0, 1.0, 90, 30)}) {
     const ThesisResult result = remeshed(shape, 4000);
-    EXPECT_EQ(result.stop, ThesisStop::converged);
-    EXPECT_LT(result.iterations, 150u);
-    EXPECT_EQ(result.edges.outside(), 0u);
-    EXPECT_EQ(result.valences.outside_5_to_7(), 0u);
+    EXPECT_EQ(result.record.stop, ThesisStop::converged);
+    EXPECT_LT(result.record.iterations, 150u);
+    EXPECT_EQ(result.record.edges.outside(), 0u);
+    EXPECT_EQ(result.record.valences.outside_5_to_7(), 0u);
     // Euler: fives less sevens is six times the characteristic.
     const long sum =
-        static_cast<long>(result.valences.inner[5]) - static_cast<long>(result.valences.inner[7]);
+        static_cast<long>(result.record.valences.inner[5]) - static_cast<long>(result.record.valences.inner[7]);
     EXPECT_EQ(sum, 6 * test::topology_of(shape).euler_characteristic);
     const LengthInterval interval = edge_interval(1.2, 1.8);
     for (const Triangle& t : result.mesh.triangles)
@@ -55,17 +55,17 @@ TEST(ThesisConvergence, ForerunnersDifferAsTheirPapersDo) {
     return options;
   };
   const ThesisResult pecanha = remeshed(shape, 2400, short_of(pecanha2013_options()));
-  EXPECT_EQ(pecanha.local_iterations, 0u);
-  EXPECT_EQ(pecanha.local.candidates + pecanha.post_processing.candidates, 0u);
-  EXPECT_EQ(pecanha.valence.passes, pecanha.iterations);
+  EXPECT_EQ(pecanha.record.local_iterations, 0u);
+  EXPECT_EQ(pecanha.record.local.candidates + pecanha.record.post_processing.candidates, 0u);
+  EXPECT_EQ(pecanha.record.valence.passes, pecanha.record.iterations);
   const ThesisResult hauck2014 = remeshed(shape, 2400, short_of(hauck2014_options()));
-  EXPECT_EQ(hauck2014.local_iterations, 0u);
+  EXPECT_EQ(hauck2014.record.local_iterations, 0u);
   // Post-processing at the end is what 2014 adds: it leaves fewer edges outside than there were.
-  EXPECT_GT(hauck2014.post_processing.minimised, 0u);
-  EXPECT_LT(hauck2014.edges.outside(), hauck2014.history.back().outside());
+  EXPECT_GT(hauck2014.record.post_processing.minimised, 0u);
+  EXPECT_LT(hauck2014.record.edges.outside(), hauck2014.record.history.back().outside());
   const ThesisResult hauck2015 = remeshed(shape, 2400, short_of(hauck2015_options()));
-  EXPECT_EQ(hauck2015.valence.passes, hauck2015.iterations);
-  EXPECT_GT(hauck2015.projection_replacements, 0u);
+  EXPECT_EQ(hauck2015.record.valence.passes, hauck2015.record.iterations);
+  EXPECT_GT(hauck2015.record.projection_replacements, 0u);
   for (const ThesisResult* result : {&pecanha, &hauck2014, &hauck2015})
     EXPECT_EQ(test::topology_of(result->mesh), test::topology_of(shape));
 }

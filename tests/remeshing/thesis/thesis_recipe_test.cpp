@@ -60,13 +60,13 @@ TEST(ThesisRecipe, TellsWhatItDid) {
   };
   const TriangleMesh shape = test::torus(3.0, 1.0, 40, 15);
   const ThesisResult result = remeshed(shape, 1300, options);
-  EXPECT_EQ(calls, result.iterations);
-  EXPECT_EQ(result.history.size(), result.iterations + 1);
-  EXPECT_EQ(result.low_pass_iterations + result.local_iterations, result.iterations);
-  EXPECT_EQ(result.projection_replacements, (result.iterations - 1) / 10);
+  EXPECT_EQ(calls, result.record.iterations);
+  EXPECT_EQ(result.record.history.size(), result.record.iterations + 1);
+  EXPECT_EQ(result.record.low_pass_iterations + result.record.local_iterations, result.record.iterations);
+  EXPECT_EQ(result.record.projection_replacements, (result.record.iterations - 1) / 10);
   EXPECT_EQ(result.mesh.triangles.size(),
-            shape.triangles.size() + 2 * result.stellar.splits - 2 * result.stellar.collapses);
-  EXPECT_EQ(result.edges.edges, result.mesh.triangles.size() * 3 / 2);
+            shape.triangles.size() + 2 * result.record.stellar.splits - 2 * result.record.stellar.collapses);
+  EXPECT_EQ(result.record.edges.edges, result.mesh.triangles.size() * 3 / 2);
   EXPECT_EQ(result.scale, 1.0);
 }
 
@@ -84,8 +84,8 @@ TEST(ThesisRecipe, StaysOnTheSurfaceWhereTheProjectionMeshIsNeverReplaced) {
   options.iterations = 20;
   options.post_processing = PostProcessing::none;
   const ThesisResult result = remeshed(test::sheet(1.0, 1.0, 20, 20), 1600, options);
-  EXPECT_GT(result.stellar.splits + result.stellar.collapses, 0u);
-  EXPECT_EQ(result.projection_replacements, 0u);
+  EXPECT_GT(result.record.stellar.splits + result.record.stellar.collapses, 0u);
+  EXPECT_EQ(result.record.projection_replacements, 0u);
   for (const Vec3& p : result.mesh.points) EXPECT_NEAR(p.z(), 0.0, 1e-9);
 }
 

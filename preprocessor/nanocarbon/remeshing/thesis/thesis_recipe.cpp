@@ -61,7 +61,7 @@ TriangleMesh start_of(const TriangleMesh& surface, const ThesisOptions& options)
   return start;
 }
 
-//! One run of Algorithm 1: the mesh, the projection mesh and the account of what was done.
+//! One run of Algorithm 1: the mesh, the projection mesh and the record of what was done.
 class Recipe {
  public:
   Recipe(const TriangleMesh& surface, const ThesisOptions& options)
@@ -71,24 +71,24 @@ class Recipe {
         projection_mesh_(surface) {}
 
   ThesisResult run() {
-    timed(result_.seconds.total, [&] {
+    timed(did_.seconds.total, [&] {
       edges_ = record();
-      while (edges_.outside() > 0 && result_.iterations < options_.iterations) {
+      while (edges_.outside() > 0 && did_.iterations < options_.iterations) {
         iterate();
-        ++result_.iterations;
+        ++did_.iterations;
         edges_ = record();
-        if (options_.progress) options_.progress({result_.iterations, options_.iterations, edges_});
+        if (options_.progress) options_.progress({did_.iterations, options_.iterations, edges_});
       }
-      result_.stop = edges_.outside() > 0 ? ThesisStop::iteration_limit : ThesisStop::converged;
+      did_.stop = edges_.outside() > 0 ? ThesisStop::iteration_limit : ThesisStop::converged;
       finish();
     });
-    return std::move(result_);
+    return {to_triangle_mesh(mesh_), scale_, std::move(did_)};
   }
 
  private:
   EdgeCounts record() {
     const EdgeCounts edges = count_edges(mesh_, interval_);
-    result_.history.push_back(edges);
+    did_.history.push_back(edges);
     return edges;
   }
 
@@ -101,31 +101,30 @@ class Recipe {
   void iterate() {
     const unsigned p = options_.projection_interval;
     // At i = 0 the projection mesh already is a copy of the surface.
-    if (p > 0 && result_.iterations > 0 && result_.iterations % p == 0) {
-      timed(result_.seconds.projection, [&] { projection_mesh_ = ProjectionMesh(to_triangle_mesh(mesh_)); });
-      ++result_.projection_replacements;
+    if (p > 0 && did_.iterations > 0 && did_.iterations % p == 0) {
+      timed(did_.seconds.projection, [&] { projection_mesh_ = ProjectionMesh(to_triangle_mesh(mesh_)); });
+      ++did_.projection_replacements;
     }
-    timed(result_.seconds.stellar, [&] {
+    timed(did_.seconds.stellar, [&] {
       StellarOptions stellar;
       stellar.interval = interpolated_interval(interval_, mean_edge_length(mesh_));
       stellar.target_length = interval_.mean();
       stellar.position = options_.stellar_position;
       stellar.marks = options_.marks;
-      add(result_.stellar, stellar_pass(mesh_, stellar));
+      add(did_.stellar, stellar_pass(mesh_, stellar));
     });
-    timed(result_.seconds.valence, [&] {
-      add(result_.valence, optimise_valences(mesh_, {options_.valence_error, options_.repeat_valences, {}}));
+    timed(did_.seconds.valence, [&] {
+      add(did_.valence, optimise_valences(mesh_, {options_.valence_error, options_.repeat_valences, {}}));
     });
     VertexStars stars = vertex_stars(mesh_);
     if (optimises_locally()) {
-      timed(result_.seconds.local, [&] { add(result_.local, optimise_locally(stars, local_options(true))); });
-      ++result_.local_iterations;
+      timed(did_.seconds.local, [&] { add(did_.local, optimise_locally(stars, local_options(true))); });
+      ++did_.local_iterations;
     } else {
-      timed(result_.seconds.low_pass,
-            [&] { return low_pass_filter(stars, options_.rings, options_.threads); });
-      ++result_.low_pass_iterations;
+      timed(did_.seconds.low_pass, [&] { return low_pass_filter(stars, options_.rings, options_.threads); });
+      ++did_.low_pass_iterations;
     }
-    timed(result_.seconds.projection, [&] {
+    timed(did_.seconds.projection, [&] {
       return project_points(stars.points, projection_mesh_, options_.nearest_vertices, options_.threads);
     });
     set_points(mesh_, stars);
@@ -146,7 +145,7 @@ class Recipe {
     const double limit = local ? 0.002 : 0.01;
     const double factor = std::clamp(std::sqrt(excess), 1.0 - limit, 1.0 + limit);
     interval_ = {interval_.min * factor, interval_.max * factor};
-    result_.scale /= factor;
+    scale_ /= factor;
   }
 
   //! "The method imposes that the valence of each vertex cannot be lower than 5 or greater than 7", but an 8
@@ -156,11 +155,11 @@ class Recipe {
     constexpr int rounds = 3;  // moving vertices makes room for other flips
     for (int round = 0; round < rounds && count_valences(mesh_).outside_5_to_7() > 0; ++round) {
       const crystal::ValenceRepair repair =
-          timed(result_.seconds.valence, [&] { return repair_valences(mesh_); });
-      result_.valence.flips += repair.flips;
+          timed(did_.seconds.valence, [&] { return repair_valences(mesh_); });
+      did_.valence.flips += repair.flips;
       if (repair.flips == 0 || !uses_local_optimisation()) return;
       VertexStars stars = vertex_stars(mesh_);
-      timed(result_.seconds.local, [&] { add(result_.local, optimise_locally(stars, local_options(true))); });
+      timed(did_.seconds.local, [&] { add(did_.local, optimise_locally(stars, local_options(true))); });
       set_points(mesh_, stars);
     }
   }
@@ -170,18 +169,17 @@ class Recipe {
     impose_valences();
     VertexStars stars = vertex_stars(mesh_);
     if (uses_local_optimisation())
-      timed(result_.seconds.local, [&] { add(result_.local, optimise_locally(stars, local_options(true))); });
+      timed(did_.seconds.local, [&] { add(did_.local, optimise_locally(stars, local_options(true))); });
     if (options_.post_processing == PostProcessing::at_end)
-      timed(result_.seconds.post_processing,
-            [&] { add(result_.post_processing, optimise_locally(stars, local_options(false))); });
+      timed(did_.seconds.post_processing,
+            [&] { add(did_.post_processing, optimise_locally(stars, local_options(false))); });
     // Where the interval was scaled, the mesh is brought to the one that was asked for.
-    for (Vec3& p : stars.points) p *= result_.scale;
+    for (Vec3& p : stars.points) p *= scale_;
     interval_ = edge_interval(options_.min_bond, options_.max_bond);
     set_points(mesh_, stars);
-    result_.edges = count_edges(mesh_, interval_);
-    result_.mean_edge = mean_edge_length(mesh_);
-    result_.valences = count_valences(mesh_);
-    result_.mesh = to_triangle_mesh(mesh_);
+    did_.edges = count_edges(mesh_, interval_);
+    did_.mean_edge = mean_edge_length(mesh_);
+    did_.valences = count_valences(mesh_);
   }
 
   LocalOptions local_options(bool tangent_plane) const {
@@ -196,7 +194,8 @@ class Recipe {
   Triangulation mesh_;
   ProjectionMesh projection_mesh_;
   EdgeCounts edges_;  // of the mesh at the end of the last iteration
-  ThesisResult result_;
+  double scale_ = 1.0;
+  ThesisRecord did_;
 };
 
 }  // namespace

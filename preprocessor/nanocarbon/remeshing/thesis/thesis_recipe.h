@@ -31,9 +31,8 @@ struct ThesisSeconds {
   double total = 0.0;
 };
 
-struct ThesisResult {
-  TriangleMesh mesh;   //!< Angstrom; its dual (molecule/dual.h) is the molecule
-  double scale = 1.0;  //!< the mesh lies on the surface times this; not 1 only with ThesisOptions::atoms
+//! What a run did.
+struct ThesisRecord {
   unsigned iterations = 0;
   ThesisStop stop = ThesisStop::iteration_limit;
   std::vector<EdgeCounts> history;  //!< of the surface as given, then after every iteration
@@ -49,6 +48,12 @@ struct ThesisResult {
   unsigned projection_replacements = 0;
   LocalTotals post_processing;
   ThesisSeconds seconds;
+};
+
+struct ThesisResult {
+  TriangleMesh mesh;   //!< Angstrom; its dual (molecule/dual.h) is the molecule
+  double scale = 1.0;  //!< the mesh lies on the surface times this; not 1 only with ThesisOptions::atoms
+  ThesisRecord record;
 };
 
 //! \brief Adaptive remeshing (Algorithm 1), up to but without the dual.

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/building/final_minimum.h"
+
+#include <utility>
+#include <vector>
+
+#include "nanocarbon/annealing/fixed_bond_model.h"
+#include "nanocarbon/annealing/geometry_check.h"
+#include "nanocarbon/annealing/surface_fit.h"
+#include "nanocarbon/building/annealing_schedules.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
+
+namespace nanocarbon::building {
+
+namespace {
+
+constexpr int mendings = 2;
+
+// Forces that are left on fixed bonds before the full potential takes over, over those left in the end. It is
+// as safe for the rest of the way and faster; where it was not, once more from nearer.
+constexpr double left_on_fixed_bonds = 50, left_once_mended = 3;
+
+struct Descent {
+  Molecule molecule;
+  minimisation::CellMinimum end;
+};
+
+// Without the tether, first on fixed bonds: the way to the minimum may stretch bonds that the end does not.
+Descent descend(const annealing::AnnealingLevel& level, double left, potential::Potential& potential,
+                const AnnealOptions& options) {
+  annealing::FixedBondModel model;
+  model.rebo2.set_graph(annealing::fixed_bond_graph(level.state.network, level.state.space));
+  std::vector<Vec3> positions = level.state.positions;
+  annealing::minimise_fixed_bonds(
+      model, nullptr, positions, {.max_iterations = 2000, .force_tolerance = left * options.force_tolerance});
+  Molecule molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
+  const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance};
+  minimisation::CellMinimum end;
+  if (molecule.cell)
+    end = minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
+  else
+    end.minimum = minimisation::minimise_molecule(molecule, potential, wanted);
+  return {std::move(molecule), end};
+}
+
+// Moves atoms to where they fit the surface best, of the size that fits them. Returns by how much it grows.
+double move_to_surface(std::vector<Vec3>& positions, TriangleMesh surface, const Mat3& deformation,
+                       bool keep_size) {
+  if (surface.space.periodic()) mesh::deform(surface, deformation);
+  const annealing::Similarity fit =
+      annealing::fit_to_surface(positions, annealing::TetherSurface(surface, 1), !keep_size);
+  for (Vec3& p : positions) p = fit(p) / fit.scale;
+  return 1 / fit.scale;
+}
+
+}  // namespace
+
+FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& surface, std::size_t atoms,
+                           potential::Potential& potential, const AnnealOptions& options) {
+  if (options.progress) options.progress("minimising", 0);
+  Descent descent = descend(level, left_on_fixed_bonds, potential, options);
+  for (int mending = 0; mending < mendings && !descent.end.minimum.intact; ++mending) {
+    level.sound = false;
+    annealing::mend_level(level, annealing::TetherSurface(surface, 1), schedule_for(atoms, options));
+    descent = descend(level, left_once_mended, potential, options);
+  }
+  const minimisation::MinimisationResult& minimum = descent.end.minimum;
+  FinalMinimum result;
+  result.molecule = std::move(descent.molecule);
+  result.network = std::move(level.state.network);
+  result.deformation = descent.end.deformation;
+  result.stress = descent.end.stress;
+  result.accepted = level.accepted;
+  result.rest = resting_state(result.molecule, minimum.energy, minimum.max_force, minimum.intact);
+  result.growth = move_to_surface(result.molecule.positions, surface, result.deformation, options.keep_size);
+  return result;
+}
+
+RestingState resting_state(const Molecule& molecule, double energy, double max_force, bool intact) {
+  const annealing::GeometryCheck check =
+      annealing::check_geometry(molecule.positions, annealing::fixed_bond_graph(molecule));
+  return {energy / static_cast<double>(molecule.size()), max_force, intact, check.closest_unbonded};
+}
+
+}  // namespace nanocarbon::building
