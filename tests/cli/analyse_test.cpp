@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -15,23 +15,12 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-test::ProgramOutcome run(const std::string& arguments) {
-  return test::run_command(NANOCARBON_PROGRAM " " + arguments);
-}
+using Analyse = test::ProgramTest;
 
-std::string scratch(const std::string& name) {
-  return (std::filesystem::path(testing::TempDir()) / ("nanocarbon_analyse_" + name)).string();
-}
-
-std::string contents(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-TEST(Analyse, C60HasItsBondsRingsTopologyAndPyramidalisation) {
-  const std::string data = scratch("c60.data");
+TEST_F(Analyse, C60HasItsBondsRingsTopologyAndPyramidalisation) {
+  const std::string data = path("c60.data");
   ASSERT_EQ(run("make fullerene 1 1 -q -o " + data).exit_code, 0);
-  const json c60 = json::parse(run("analyse " + data + " --json").output);
+  const json c60 = json::parse(run("analyse " + data + " --json").out);
   EXPECT_EQ(c60["atoms"], 60);
   EXPECT_EQ(c60["bonds"]["C-C"]["count"], 90);
   EXPECT_EQ(c60["rings"]["by_size"], json({{"5", 12}, {"6", 20}}));
@@ -42,19 +31,19 @@ TEST(Analyse, C60HasItsBondsRingsTopologyAndPyramidalisation) {
   EXPECT_EQ(c60["defects"]["by_kind"], json({{"pentagon", 12}}));
   EXPECT_NEAR(c60["pyramidalisation"]["mean"], 11.64, 0.1);
   EXPECT_EQ(c60["bonds_of_file"], json({{"count", 90}, {"differing", 0}}));
-  const std::string table = run("analyse " + data).output;
+  const std::string table = run("analyse " + data).out;
   EXPECT_THAT(table, HasSubstr("5: 12, 6: 20"));
   EXPECT_THAT(table, HasSubstr("orientable, genus 0, Euler characteristic 2, 0 boundary loops"));
 }
 
-TEST(Analyse, OfSeveralFramesComparesEachWithTheFirst) {
-  const std::string xyz = scratch("run.xyz"), csv = scratch("run.csv"), columns = scratch("columns.xyz");
+TEST_F(Analyse, OfSeveralFramesComparesEachWithTheFirst) {
+  const std::string xyz = path("run.xyz"), csv = path("run.csv"), columns = path("columns.xyz");
   std::ofstream(xyz) << "3\n\nC 0 0 0\nC 1.4 0 0\nC 2.8 0 0\n"
                      << "3\n\nC 0 0 0\nC 1.4 0 0\nC 3.3 0 0\n"  // stretched, not broken
                      << "3\n\nC 0 0 0\nC 1.4 0 0\nC 3.6 0 0\n";
-  const test::ProgramOutcome outcome = run("analyse " + xyz + " --json --csv " + csv + " --xyz " + columns);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  const json found = json::parse(outcome.output);
+  const Outcome outcome = run("analyse " + xyz + " --json --csv " + csv + " --xyz " + columns);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json found = json::parse(outcome.out);
   ASSERT_EQ(found["frames"].size(), 3u);
   EXPECT_EQ(found["frames"][1]["verdict"], "intact");
   EXPECT_EQ(found["frames"][2]["verdict"], "broken");
@@ -66,35 +55,32 @@ TEST(Analyse, OfSeveralFramesComparesEachWithTheFirst) {
   EXPECT_THAT(table, HasSubstr(",broken,1,0,1,0,"));
   const std::string all = contents(columns);
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 15);
-  EXPECT_THAT(run("analyse " + xyz).output, HasSubstr("1 bonds broken, 0 formed, 1 atoms repelled"));
-  EXPECT_EQ(json::parse(run("analyse " + xyz + " --every 2 --json").output)["frames"].size(), 2u);
+  EXPECT_THAT(run("analyse " + xyz).out, HasSubstr("1 bonds broken, 0 formed, 1 atoms repelled"));
+  EXPECT_EQ(json::parse(run("analyse " + xyz + " --every 2 --json").out)["frames"].size(), 2u);
 }
 
-TEST(Analyse, AMeshThatItWritesBuildsTheMoleculeAgain) {
-  const std::string data = scratch("c240.data"), mesh = scratch("c240.off"), again = scratch("again.data");
+TEST_F(Analyse, AMeshThatItWritesBuildsTheMoleculeAgain) {
+  const std::string data = path("c240.data"), mesh = path("c240.off"), again = path("again.data");
   ASSERT_EQ(run("make fullerene 2 2 -q -o " + data).exit_code, 0);
   ASSERT_EQ(run("analyse " + data + " -q --mesh " + mesh).exit_code, 0);
-  const test::ProgramOutcome built =
-      run("build " + mesh + " --scale 1 --recipe thesis --iterations 0 -q -o " + again);
-  ASSERT_EQ(built.exit_code, 0) << built.output;
-  const json a = json::parse(run("analyse --json " + data).output),
-             b = json::parse(run("analyse --json " + again).output);
+  const Outcome built = run("build " + mesh + " --scale 1 --recipe thesis --iterations 0 -q -o " + again);
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  const json a = json::parse(run("analyse --json " + data).out),
+             b = json::parse(run("analyse --json " + again).out);
   EXPECT_EQ(a["rings"]["by_size"], b["rings"]["by_size"]);
 }
 
-TEST(Analyse, SaysWhatIsWrongAndExitsWithItsCode) {
-  const std::string data = scratch("sheet.data");
+TEST_F(Analyse, SaysWhatIsWrongAndExitsWithItsCode) {
+  const std::string data = path("sheet.data");
   ASSERT_EQ(run("make graphene --cells 3 2 -q -o " + data).exit_code, 0);
-  const test::ProgramOutcome periodic = run("analyse " + data + " --mesh " + scratch("sheet.off"));
+  const Outcome periodic = run("analyse " + data + " --mesh " + path("sheet.off"));
   EXPECT_EQ(periodic.exit_code, 5);
-  EXPECT_THAT(periodic.output, HasSubstr("periodic"));
-  EXPECT_FALSE(std::filesystem::exists(scratch("sheet.off")));
+  EXPECT_THAT(periodic.err, HasSubstr("periodic"));
+  EXPECT_FALSE(exists("sheet.off"));
   EXPECT_EQ(run("analyse " + data + " --form 2.1").exit_code, 2);
-  EXPECT_EQ(run("analyse " + data + " --mesh " + scratch("sheet.png")).exit_code, 2);
-  EXPECT_EQ(run("analyse " + scratch("nowhere.data")).exit_code, 3);
-  const std::string empty = scratch("empty.xyz");
-  std::ofstream(empty) << "0\n\n";
-  EXPECT_EQ(run("analyse " + empty).exit_code, 5);
+  EXPECT_EQ(run("analyse " + data + " --mesh " + path("sheet.png")).exit_code, 2);
+  EXPECT_EQ(run("analyse " + path("nowhere.data")).exit_code, 3);
+  EXPECT_EQ(run("analyse " + file("empty.xyz", "0\n\n")).exit_code, 5);
 }
 
 }  // namespace

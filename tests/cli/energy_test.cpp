@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -15,20 +15,14 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-test::ProgramOutcome run(const std::string& arguments) {
-  return test::run_command(NANOCARBON_PROGRAM " " + arguments);
-}
+using Energy = test::ProgramTest;
 
-std::string scratch(const std::string& name) {
-  return (std::filesystem::path(testing::TempDir()) / ("nanocarbon_energy_" + name)).string();
-}
-
-TEST(Energy, OfDataAndXyzFilesIsTheSame) {
-  const std::string data = scratch("c60.data"), xyz = scratch("c60.xyz");
+TEST_F(Energy, OfDataAndXyzFilesIsTheSame) {
+  const std::string data = path("c60.data"), xyz = path("c60.xyz");
   ASSERT_EQ(run("make fullerene 1 1 -o " + data).exit_code, 0);
   ASSERT_EQ(run("make fullerene 1 1 -o " + xyz).exit_code, 0);
-  const json a = json::parse(run("energy " + data + " --json --parts").output);
-  const json b = json::parse(run("energy " + xyz + " --json").output);
+  const json a = json::parse(run("energy " + data + " --json --parts").out);
+  const json b = json::parse(run("energy " + xyz + " --json").out);
   EXPECT_EQ(a["atoms"], 60);
   EXPECT_NEAR(a["energy"], b["energy"], 1e-10);
   // The minimum is at -6.84206 eV/atom.
@@ -37,11 +31,11 @@ TEST(Energy, OfDataAndXyzFilesIsTheSame) {
   double sum = 0.0;
   for (const auto& part : a["parts"]) sum += part.get<double>();
   EXPECT_NEAR(sum, a["energy"], 1e-10);
-  EXPECT_THAT(run("energy " + data).output, HasSubstr("60 carbon and 0 hydrogen"));
+  EXPECT_THAT(run("energy " + data).out, HasSubstr("60 carbon and 0 hydrogen"));
 }
 
-TEST(Energy, WritesForcesThatAddUpToNothing) {
-  const std::string sheet = scratch("sheet.data"), forces = scratch("forces.xyz");
+TEST_F(Energy, WritesForcesThatAddUpToNothing) {
+  const std::string sheet = path("sheet.data"), forces = path("forces.xyz");
   ASSERT_EQ(run("make graphene --cells 3 2 -o " + sheet).exit_code, 0);
   ASSERT_EQ(run("energy " + sheet + " --forces " + forces).exit_code, 0);
   std::ifstream file(forces);
@@ -69,8 +63,7 @@ TEST(Energy, WritesForcesThatAddUpToNothing) {
 // Ethane as LAMMPS has it (the structure of that name in reference.json).
 std::string ethane() {
   const json all = json::parse(std::ifstream(NANOCARBON_AIREBO_REFERENCE));
-  const std::string path = scratch("ethane.xyz");
-  std::ofstream file(path);
+  std::ostringstream file;
   file.precision(17);
   for (const json& structure : all) {
     if (structure["name"] != "ethane") continue;
@@ -79,11 +72,11 @@ std::string ethane() {
       file << structure["elements"].get<std::string>()[i] << " " << structure["positions"][3 * i] << " "
            << structure["positions"][3 * i + 1] << " " << structure["positions"][3 * i + 2] << "\n";
   }
-  return path;
+  return file.str();
 }
 
-TEST(Energy, OfAireboAndItsPartsAreThoseOfLammps) {
-  const std::string file = ethane();
+TEST_F(Energy, OfAireboAndItsPartsAreThoseOfLammps) {
+  const std::string molecule = file("ethane.xyz", ethane());
   const json all = json::parse(std::ifstream(NANOCARBON_AIREBO_REFERENCE));
   for (const auto& [potential, style, long_range] :
        {std::tuple("airebo", "airebo 3.0", "lennard_jones"), {"airebo-m", "airebo/morse 3.0", "morse"}}) {
@@ -91,7 +84,7 @@ TEST(Energy, OfAireboAndItsPartsAreThoseOfLammps) {
         *std::find_if(all.begin(), all.end(), [](const json& s) { return s["name"] == "ethane"; });
     const json& expected = lammps["styles"][style];
     const json found =
-        json::parse(run("energy " + file + " --json --parts --potential " + std::string(potential)).output);
+        json::parse(run("energy " + molecule + " --json --parts --potential " + std::string(potential)).out);
     EXPECT_EQ(found["potential"], potential);
     EXPECT_NEAR(found["parts"]["rebo"], expected["rebo"], 1e-9);
     EXPECT_NEAR(found["parts"][long_range], expected["lj"], 1e-9);
@@ -100,14 +93,14 @@ TEST(Energy, OfAireboAndItsPartsAreThoseOfLammps) {
         expected["rebo"].get<double>() + expected["lj"].get<double>() + expected["torsion"].get<double>();
     EXPECT_NEAR(found["energy"], sum, 1e-9);
   }
-  EXPECT_THAT(run("energy " + file + " --parts --potential airebo").output, HasSubstr("lennard-jones"));
+  EXPECT_THAT(run("energy " + molecule + " --parts --potential airebo").out, HasSubstr("lennard-jones"));
 }
 
-TEST(Energy, WithForcesIsTheSame) {
-  const std::string file = ethane(), forces = scratch("ethane-forces.xyz");
-  const json plain = json::parse(run("energy " + file + " --json --potential airebo").output);
+TEST_F(Energy, WithForcesIsTheSame) {
+  const std::string molecule = file("ethane.xyz", ethane()), forces = path("ethane-forces.xyz");
+  const json plain = json::parse(run("energy " + molecule + " --json --potential airebo").out);
   const json with =
-      json::parse(run("energy " + file + " --json --potential airebo --forces " + forces).output);
+      json::parse(run("energy " + molecule + " --json --potential airebo --forces " + forces).out);
   EXPECT_NEAR(plain["energy"], with["energy"], 1e-10);
   std::ifstream written(forces);
   std::string line;
@@ -118,38 +111,34 @@ TEST(Energy, WithForcesIsTheSame) {
   EXPECT_NEAR(sum, plain["energy"], 1e-9);
 }
 
-TEST(Energy, TakesParametersFromTheFileOfThePotential) {
+TEST_F(Energy, TakesParametersFromTheFileOfThePotential) {
   if (!std::filesystem::exists(NANOCARBON_CH_REBO)) GTEST_SKIP() << "no CH.rebo of LAMMPS here";
-  const std::filesystem::path folder = std::filesystem::path(NANOCARBON_CH_REBO).parent_path();
-  const std::string file = ethane();
+  const std::filesystem::path potentials = std::filesystem::path(NANOCARBON_CH_REBO).parent_path();
+  const std::string molecule = file("ethane.xyz", ethane());
   for (const auto& [potential, name] :
        {std::pair("rebo2", "CH.rebo"), {"airebo", "CH.airebo"}, {"airebo-m", "CH.airebo-m"}}) {
-    const std::string command = "energy " + file + " --json --potential " + std::string(potential);
-    const test::ProgramOutcome given = run(command + " --parameters " + (folder / name).string());
-    ASSERT_EQ(given.exit_code, 0) << given.output;
-    EXPECT_NEAR(json::parse(given.output)["energy"], json::parse(run(command).output)["energy"], 1e-7);
+    const std::string command = "energy " + molecule + " --json --potential " + std::string(potential);
+    const Outcome given = run(command + " --parameters " + (potentials / name).string());
+    ASSERT_EQ(given.exit_code, 0) << given.err;
+    EXPECT_NEAR(json::parse(given.out)["energy"], json::parse(run(command).out)["energy"], 1e-7);
   }
-  const std::string rebo = " --parameters " + (folder / "CH.rebo").string();
-  const test::ProgramOutcome wrong = run("energy " + file + " --potential airebo" + rebo);
+  const std::string rebo = " --parameters " + (potentials / "CH.rebo").string();
+  const Outcome wrong = run("energy " + molecule + " --potential airebo" + rebo);
   EXPECT_EQ(wrong.exit_code, 4);
-  EXPECT_THAT(wrong.output, HasSubstr("CH.rebo, line 2: this is a file of REBO2, not of AIREBO"));
-  EXPECT_EQ(run("energy " + file + " --parameters nowhere").exit_code, 3);
-  const test::ProgramOutcome former = run("energy " + file + " --potential " + (folder / "CH.rebo").string());
+  EXPECT_THAT(wrong.err, HasSubstr("CH.rebo, line 2: this is a file of REBO2, not of AIREBO"));
+  EXPECT_EQ(run("energy " + molecule + " --parameters nowhere").exit_code, 3);
+  const Outcome former = run("energy " + molecule + " --potential " + (potentials / "CH.rebo").string());
   EXPECT_EQ(former.exit_code, 2);
-  EXPECT_THAT(former.output, HasSubstr("a file goes to --parameters FILE"));
-  EXPECT_EQ(run("energy " + file + " --potential AIREBO").exit_code, 2);
+  EXPECT_THAT(former.err, HasSubstr("a file goes to --parameters FILE"));
+  EXPECT_EQ(run("energy " + molecule + " --potential AIREBO").exit_code, 2);
 }
 
-TEST(Energy, SaysWhatIsWrongAndExitsWithItsCode) {
+TEST_F(Energy, SaysWhatIsWrongAndExitsWithItsCode) {
   EXPECT_EQ(run("energy molecule.pdb").exit_code, 3);
-  EXPECT_THAT(run("energy molecule.pdb").output, HasSubstr("molecule.pdb: cannot be read"));
+  EXPECT_THAT(run("energy molecule.pdb").err, HasSubstr("molecule.pdb: cannot be read"));
   EXPECT_EQ(run("energy nowhere.data").exit_code, 3);
-  const std::string empty = scratch("empty.xyz");
-  std::ofstream(empty) << "0\n\n";
-  EXPECT_EQ(run("energy " + empty).exit_code, 5);
-  const std::string broken = scratch("broken.xyz");
-  std::ofstream(broken) << "2\n\nC 0 0 0\nC 0 0\n";
-  EXPECT_EQ(run("energy " + broken).exit_code, 4);
+  EXPECT_EQ(run("energy " + file("empty.xyz", "0\n\n")).exit_code, 5);
+  EXPECT_EQ(run("energy " + file("broken.xyz", "2\n\nC 0 0 0\nC 0 0\n")).exit_code, 4);
 }
 
 }  // namespace
