@@ -217,7 +217,8 @@ void run(const AnalyseCommand& command) {
     analyser.run(nullptr);
   Findings& found = analyser.findings;
   if (found.bonds_differing > 0 && !command.quiet)
-    fmt::print(stderr, "nanocarbon: warning: {}: {} bonds by distance are not those that the file lists\n",
+    fmt::print(stderr,
+               "nanocarbon: warning: {}: {} bonds found by distance differ from those listed in the file\n",
                command.files.front(), found.bonds_differing);
   if (command.csv)
     files.add(*command.csv, [&](std::ostream& out) { out << analysis::frames_csv(found.frames); });
@@ -241,49 +242,49 @@ void run(const AnalyseCommand& command) {
 
 void add_analyse(CLI::App& app) {
   CLI::App& sub =
-      *app.add_subcommand("analyse", "Tell bonds, rings, topology, defects and energies of structures");
+      *app.add_subcommand("analyse", "Report bonds, rings, topology, defects and energies of structures");
   const auto command = std::make_shared<AnalyseCommand>();
   AnalyseCommand& c = *command;
   sub.add_option("FILE", c.files,
-                 "LAMMPS data files and text dumps, XYZ, extended XYZ, CIF or POSCAR, also packed by gzip; - "
-                 "for standard "
-                 "input. Several are one trajectory, in this order")
+                 "LAMMPS data files and text dumps, XYZ, extended XYZ, CIF or POSCAR, also compressed with "
+                 "gzip; - for standard input. Several files form one trajectory, in this order")
       ->required();
-  sub.add_flag("--json", c.json,
-               "Print JSON with everything, lists of the atoms of each ring and defect too");
-  sub.add_option("--xyz", c.xyz, "Write all frames with what is known of each atom as columns (extended XYZ)")
+  sub.add_flag("--json", c.json, "Print everything as JSON, including the atoms of each ring and defect");
+  sub.add_option("--xyz", c.xyz,
+                 "Write all frames as extended XYZ, with what is known of each atom as columns")
       ->type_name("FILE");
-  sub.add_option("--csv", c.csv, "Write a table with a line for each frame")->type_name("FILE");
+  sub.add_option("--csv", c.csv, "Write a table (CSV) with one line per frame")->type_name("FILE");
   sub.add_option("--mesh", c.mesh,
-                 "Write the triangulation whose dual the last frame is: .off, .obj, .ply or .stl")
+                 "Write the triangulation of which the last frame is the dual: .off, .obj, .ply or .stl")
       ->type_name("FILE");
   sub.add_option("--page", c.page,
-                 "Write a page to look at: the structure in 3D, plots, defects, frames (HTML)")
+                 "Write a self-contained page (HTML): the structure in 3D, plots, defects, frames")
       ->type_name("FILE");
-  sub.add_option("--form", c.carbon_carbon.form, "Carbon atoms nearer than this become bonded, Angstrom")
+  sub.add_option("--form", c.carbon_carbon.form,
+                 "Distance below which two carbon atoms become bonded, Angstrom")
       ->check(above_zero())
       ->capture_default_str();
-  sub.add_option("--break", c.carbon_carbon.breaking,
-                 "Carbon atoms bonded in the frame before are so up to here, Angstrom")
+  sub.add_option("--break", c.carbon_carbon.breaking, "Distance up to which they then stay bonded, Angstrom")
       ->check(above_zero())
       ->capture_default_str();
   sub.add_option("--rings", c.rings,
-                 "auto (faces of surfaces, King's rings elsewhere), king, or primitive (shortest-path rings)")
+                 "Rings to report: auto (faces of surfaces, King's rings elsewhere), king, or primitive "
+                 "(shortest-path rings)")
       ->check(CLI::IsMember({"auto", "king", "primitive"}))
       ->capture_default_str();
-  sub.add_option("--max-ring", c.max_ring, "The largest ring; larger faces are holes")
+  sub.add_option("--max-ring", c.max_ring, "Number of atoms in the largest ring; larger faces are holes")
       ->transform(whole_number())
       ->check(between(3, 64))
       ->capture_default_str();
-  sub.add_option("--potential", c.potential, "Of the energies: rebo2, airebo, airebo-m, or none")
+  sub.add_option("--potential", c.potential, "Potential of the energies: rebo2, airebo, airebo-m, or none")
       ->check(CLI::IsMember({"rebo2", "airebo", "airebo-m", "none"}))
       ->capture_default_str();
-  sub.add_option("--every", c.every, "Look at every Nth frame of each file only")
+  sub.add_option("--every", c.every, "Use only every Nth frame of each file")
       ->transform(whole_number())
       ->check(between(1, 1e9))
       ->capture_default_str();
   add_read_options(sub, c.input);
-  sub.add_option("--threads", c.threads, "Threads to use; by default as many as there are cores")
+  sub.add_option("--threads", c.threads, "Number of threads; by default one per core")
       ->transform(whole_number())
       ->check(between(1, 1024))
       ->default_str("cores");

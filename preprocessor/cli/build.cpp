@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 // An output that cannot be written is better known before the work than after it.
 void require_writable(const fs::path& output) {
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
-  if (output.empty()) throw UserError(Failure::usage, "an output file has an empty name: name it");
+  if (output.empty()) throw UserError(Failure::usage, "the name of an output file is empty; give it a name");
   if (!fs::is_directory(folder))
     throw UserError(Failure::unwritable,
                     fmt::format("{}: cannot be written: there is no folder {}; create it first",
@@ -51,8 +51,9 @@ void require_different_files(const BuildCommand& command, const std::vector<fs::
     if (fs::exists(output) && !fs::is_regular_file(output)) continue;  // such as /dev/stdout
     const auto [other, is_new] = taken.emplace(fs::weakly_canonical(output), "another output");
     if (!is_new)
-      throw UserError(Failure::usage, fmt::format("{}: is the file of {} too; give each output its own",
-                                                  output.string(), other->second));
+      throw UserError(Failure::usage,
+                      fmt::format("{}: is also the file of {}; give each output a file of its own",
+                                  output.string(), other->second));
   }
 }
 
@@ -105,10 +106,11 @@ void write_outputs(const BuildCommand& command, const building::BuildResult& res
 std::string what_the_proof_lacks(const minimisation::Certificate& certificate) {
   std::vector<std::string> lacks;
   if (certificate.max_force >= minimisation::certified_force)
-    lacks.push_back(fmt::format("a force of {:.1e} eV/A is left", certificate.max_force));
+    lacks.push_back(fmt::format("a force of {:.1e} eV/A remains", certificate.max_force));
   if (!certificate.eigenvalues.empty() && certificate.eigenvalues.front() <= certificate.uncertainty)
-    lacks.push_back(fmt::format("the Hessian's smallest eigenvalue is {:.1e} eV/A^2, known to {:.1e}",
-                                certificate.eigenvalues.front(), certificate.uncertainty));
+    lacks.push_back(
+        fmt::format("the Hessian's smallest eigenvalue is {:.1e} eV/A^2, with an uncertainty of {:.1e}",
+                    certificate.eigenvalues.front(), certificate.uncertainty));
   if (!certificate.complete) lacks.push_back("smaller eigenvalues of the Hessian may have been missed");
   return fmt::format("{}", fmt::join(lacks, "; "));
 }
@@ -118,7 +120,7 @@ void require_proof(const BuildCommand& command, const building::BuildResult& res
   if (!result.certificate || result.certificate->minimum() || command.build.force) return;
   throw UserError(
       Failure::failed,
-      fmt::format("{}: written, but not shown to be at a minimum: {}; take it as it is with --force",
+      fmt::format("{}: written, but not shown to be at a minimum: {}; --force accepts it as it is",
                   command.data.string(), what_the_proof_lacks(*result.certificate)));
 }
 
@@ -129,10 +131,9 @@ void warn_of_facing_sheets(const Molecule& molecule, building::PotentialChoice p
   if (potential != building::PotentialChoice::rebo2) return;
   const double closest = building::closest_of_facing_sheets(molecule, far_enough);
   if (closest < far_enough)
-    tell("warning",
-         {fmt::format("sheets that face each other come to {:.2f} A: REBO2 does not keep them apart; "
-                      "--potential airebo does",
-                      closest)});
+    tell("warning", {fmt::format("sheets that face each other come within {:.2f} A: REBO2 does not keep them "
+                                 "apart; --potential airebo does",
+                                 closest)});
 }
 
 void run(BuildCommand& command) {
@@ -143,7 +144,7 @@ void run(BuildCommand& command) {
   options.seed = command.common.seed;
   options.fit = command.atoms == "fit";
   if (options.fit && options.recipe != building::Recipe::annealed)
-    throw UserError(Failure::usage, "--atoms fit is of the annealed recipe: give a number");
+    throw UserError(Failure::usage, "--atoms fit works with the annealed recipe only: give a number");
   if (!command.atoms.empty() && !options.fit)
     options.size = building::AtomCount{static_cast<std::size_t>(std::stoull(command.atoms))};
   if (command.length) options.size = building::LongestSide{*command.length};
@@ -163,10 +164,9 @@ void run(BuildCommand& command) {
 
   if (surface.mesh.space.periodic() && command.triangulation &&
       mesh::format_to_write(*command.triangulation) == mesh::MeshFormat::stl)
-    throw UserError(
-        Failure::usage,
-        fmt::format("{}: STL files have no place for a periodic cell; name an OFF, OBJ or PLY file",
-                    command.triangulation->string()));
+    throw UserError(Failure::usage,
+                    fmt::format("{}: an STL file cannot hold a periodic cell; name an OFF, OBJ or PLY file",
+                                command.triangulation->string()));
 
   building::BuildResult result;
   {
@@ -179,7 +179,7 @@ void run(BuildCommand& command) {
     surface.repairs.push_back(fmt::format("dropped specks: {}", result.specks_dropped));
   if (result.specks_dropped > 0) tell("note", {surface.repairs.back()});
   if (result.rest && result.rest->max_force > options.force_tolerance)
-    tell("warning", {fmt::format("the largest force left is {:.1e} eV/A, not below the {:.1e} asked for",
+    tell("warning", {fmt::format("the largest remaining force is {:.1e} eV/A, not below the {:.1e} asked for",
                                  result.rest->max_force, options.force_tolerance)});
   if (result.annealed) warn_of_facing_sheets(result.molecule, options.potential, tell);
   const auto report =
@@ -192,7 +192,7 @@ void run(BuildCommand& command) {
 }  // namespace
 
 void add_build(CLI::App& app) {
-  CLI::App& sub = *app.add_subcommand("build", "Make a carbon molecule from a mesh: a LAMMPS data file");
+  CLI::App& sub = *app.add_subcommand("build", "Make a carbon molecule from a mesh, as a LAMMPS data file");
   const auto command = std::make_shared<BuildCommand>();
   BuildCommand& c = *command;
 

@@ -45,29 +45,28 @@ const std::map<std::string, minimisation::CellRelaxation> cell_relaxations = {
 
 void add_size_options(CLI::App& sub, BuildCommand& c) {
   auto* size =
-      sub.add_option_group("Size", "One of these; without any, an atom for each triangle of the mesh");
-  size->add_option(
-          "--atoms", c.atoms,
-          "Number of atoms, met within a few percent where the shape allows; or fit, for the smallest "
-          "number that the shape's features allow and that holds")
+      sub.add_option_group("Size", "At most one of these; with none, one atom per triangle of the mesh");
+  size->add_option("--atoms", c.atoms,
+                   "Number of atoms, met within a few percent where the shape allows; or fit: the smallest "
+                   "number that the shape's features allow and for which a molecule holds")
       ->transform(whole_number_or("fit"))
       ->type_name("N|fit");
   size->add_option("--length", c.length,
-                   "Longest side of the bounding box, or periodic edge of the cell, Angstrom")
+                   "Longest side of the bounding box, or longest periodic edge of the cell, Angstrom")
       ->check(above_zero());
-  size->add_option("--scale", c.scale, "Angstrom for each mesh unit")->check(above_zero());
+  size->add_option("--scale", c.scale, "Angstrom per mesh unit")->check(above_zero());
   size->require_option(0, 1);
 }
 
 void add_mesh_options(CLI::App& sub, BuildCommand& c) {
-  auto* group = sub.add_option_group("Mesh", "What is done to the mesh first");
+  auto* group = sub.add_option_group("Mesh", "Changes to the mesh before building");
   group
       ->add_option("--close-holes", c.close_holes,
-                   "Close boundary loops of a smaller radius than this, mesh units")
+                   "Close boundary loops with a radius below this, mesh units")
       ->check(above_zero());
   group->add_flag("--drop-specks", c.build.drop_specks,
-                  "Leave out pieces that have no room for a cage of carbon, as segmented scans have them");
-  group->add_flag("--no-repair", c.no_repair, "Refuse a mesh that needs repairs, and say which");
+                  "Leave out pieces too small for a cage of carbon, such as specks in segmented scans");
+  group->add_flag("--no-repair", c.no_repair, "Refuse a mesh that needs repairs, and say which they are");
 }
 
 void add_output_options(CLI::App& sub, BuildCommand& c) {
@@ -87,8 +86,9 @@ void add_output_options(CLI::App& sub, BuildCommand& c) {
       ->type_name("FILE");
   sub.add_option("--report", c.report, "Also write everything known about the result, as JSON")
       ->type_name("FILE");
-  sub.add_option("--page", c.page,
-                 "Also write a page to look at: the molecule and the mesh in 3D, plots, the verdict (HTML)")
+  sub.add_option(
+         "--page", c.page,
+         "Also write a self-contained page (HTML): the molecule and the mesh in 3D, plots, the verdict")
       ->type_name("FILE");
 }
 
@@ -108,40 +108,38 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
       "Potential of the last minimisation and the checks: rebo2 (default), airebo or airebo-m");
   add_choice(*group, "--quality", c.build.quality,
              {{"draft", Quality::draft}, {"good", Quality::good}, {"best", Quality::best}},
-             "Time spent on low energy: draft, good (default) or best");
+             "Effort spent on a low energy: draft, good (default) or best");
   group->add_option("--bond-length", c.build.bond_length, "Bond length used to compute the size, Angstrom")
       ->check(between(1.0, 2.0))
       ->capture_default_str();
   group
-      ->add_option(
-          "--tether", c.build.tether,
-          "Stiffness that holds atoms to the surface while annealing, eV/Angstrom^2: fidelity for energy")
+      ->add_option("--tether", c.build.tether,
+                   "Stiffness of the tether that holds atoms to the surface during annealing, eV/Angstrom^2: "
+                   "the stiffer, the closer to the surface, at some cost in energy")
       ->check(zero_or_more());
-  group->add_option("--max-force", c.build.force_tolerance, "Largest force left at the end, eV/Angstrom")
+  group->add_option("--max-force", c.build.force_tolerance, "Largest force allowed at the end, eV/Angstrom")
       ->check(above_zero())
       ->capture_default_str();
   group
       ->add_option_function<std::string>(
           "--relax-cell", [&c](const std::string& name) { c.build.relax_cell = cell_relaxations.at(name); },
-          "Strains of a periodic cell that are freed in the end: none, isotropic, orthogonal or triclinic; "
-          "by default "
-          "isotropic with --atoms, none with --length and --scale and for sheets")
+          "Strains of a periodic cell that the final minimisation may change: none, isotropic, orthogonal or "
+          "triclinic; by default isotropic with --atoms, none with --length or --scale and for sheets")
       ->check(CLI::IsMember(cell_relaxations))
       ->type_name("NAME");
   group->add_flag("--certify", c.build.certify,
                   "Prove that the molecule is at a minimum: forces below 1e-6 eV/Angstrom, Hessian positive; "
-                  "where that cannot be shown the files are written, and the exit code is 8");
-  group->add_flag(
-      "--force", c.build.force,
-      "Go on where the shape's features ask for more atoms, and keep a molecule that does not hold, is no "
-      "longer the shape, or is not shown to be at a minimum");
+                  "if that cannot be shown, the files are written but the exit code is 8");
+  group->add_flag("--force", c.build.force,
+                  "Build even if the shape's features need more atoms, and keep a molecule that does not "
+                  "hold, has lost the shape, or is not shown to be at a minimum");
 }
 
 void add_thesis_options(CLI::App& sub, BuildCommand& c) {
   auto* group = sub.add_option_group("Thesis", "Parameters of the thesis and its forerunners");
   group->add_option("--min-bond", c.min_bond, "Shortest bond wanted, Angstrom (1.2)")->check(above_zero());
   group->add_option("--max-bond", c.max_bond, "Longest bond wanted, Angstrom (1.8)")->check(above_zero());
-  group->add_option("--iterations", c.iterations, "Most iterations, n (150)")
+  group->add_option("--iterations", c.iterations, "Maximum number of iterations, n (150)")
       ->transform(whole_number())
       ->check(zero_or_more());
   group->add_option("--rings", c.rings, "Rings of the low-pass filter, k (2)")
@@ -161,8 +159,8 @@ void add_thesis_options(CLI::App& sub, BuildCommand& c) {
       "Relax the dual to a minimum of REBO2 with the bonds it has, as the annealed recipe does first");
   add_choice(*group, "--visited", c.visited,
              {{"either", thesis::VisitedMarks::either_end}, {"both", thesis::VisitedMarks::both_ends}},
-             "A stellar operation leaves an edge alone when either end was touched before (default), or only "
-             "when both were, as Algorithm 3 prints it, which does not converge");
+             "A stellar operation skips an edge if either end was touched before (default), or only if both "
+             "were, as Algorithm 3 is printed, which does not converge");
 }
 
 }  // namespace
@@ -180,15 +178,15 @@ void require_options_of_recipe(const CLI::App& subcommand, building::Recipe reci
   const auto refuse = [&](const std::vector<std::string>& options, const std::string& reason) {
     for (const std::string& option : options)
       if (subcommand.get_option(option)->count() > 0)
-        throw UserError(Failure::usage, fmt::format("{} does nothing with --recipe {} ({}): leave it out",
+        throw UserError(Failure::usage, fmt::format("{} has no effect with --recipe {} ({}): leave it out",
                                                     option, name(recipe), reason));
   };
   if (recipe == building::Recipe::annealed) {
     refuse({"--iterations", "--rings", "--projection-interval", "--local-threshold", "--visited", "--relax"},
-           "it is of --recipe thesis and its forerunners");
+           "it belongs to --recipe thesis and its forerunners");
     return;
   }
-  refuse({"--bond-length"}, "its bonds are in the middle of --min-bond and --max-bond");
+  refuse({"--bond-length"}, "its bond length is midway between --min-bond and --max-bond");
   refuse({"--quality", "--tether", "--max-force", "--certify", "--relax-cell"},
          "it neither anneals nor minimises");
 }

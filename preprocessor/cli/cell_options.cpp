@@ -20,7 +20,7 @@ CLI::Validator directions() {
         const bool known =
             value == "none" || (!value.empty() && value.find_first_not_of("xyz") == value.npos);
         return known ? std::string()
-                     : fmt::format("{}: give directions, such as xyz, xy or z, or none", value);
+                     : fmt::format("{}: give directions, such as xyz, xy or z; or none", value);
       },
       "");
 }
@@ -45,30 +45,30 @@ Mat3 vectors_of(double a, double b, double c, double alpha, double beta, double 
 
 void add_cell_options(CLI::App& sub, CellOptions& o) {
   auto* group =
-      sub.add_option_group("Cell", "The periodic cell that the mesh is in; by default what its file says");
+      sub.add_option_group("Cell", "The periodic cell of the mesh; by default the one given in its file");
   group
-      ->add_option(
-          "--periodic", o.periodic,
-          "Directions in which the mesh repeats itself: xyz, xy, z, ... of the edges a, b, c; none: free "
-          "space, whatever the file says")
+      ->add_option("--periodic", o.periodic,
+                   "Directions in which the mesh is periodic, along the edges a, b, c of the cell: xyz, xy, "
+                   "z, ...; none: free space, whatever the file says")
       ->check(directions())
       ->type_name("XYZ");
   group
       ->add_option(
           "--cell", o.cell,
-          "Edges a,b,c of the cell in mesh units; with the angles alpha,beta,gamma in degrees; or the edges "
-          "as nine numbers. By default that of the file, or the bounding box")
+          "Lengths a,b,c of the cell's edges in mesh units, which the angles alpha,beta,gamma in degrees may "
+          "follow; or the edges as nine numbers. By default the cell given in the file, or the bounding box")
       ->expected(3, 9)
       ->delimiter(',')
       ->type_name("A,B,C");
-  group->add_option("--cells", o.cells, "Take as many cells as one, all ways or along each edge (1)")
+  group->add_option("--cells", o.cells, "Treat this many cells as one, along every edge or along each (1)")
       ->expected(1, 3)
       ->delimiter(',')
       ->check(between(1, 1000))
       ->type_name("N");
   group
       ->add_option("--match", o.match,
-                   "Boundary vertices at opposite faces are the same within this part of the mean edge")
+                   "Distance within which boundary vertices at opposite faces are the same, as a fraction of "
+                   "the mean edge")
       ->check(between(0.0, 0.1))
       ->capture_default_str();
 }

@@ -17,8 +17,7 @@ unsigned available_cores() { return std::clamp(std::thread::hardware_concurrency
 
 void add_common_options(CLI::App& subcommand, CommonOptions& options) {
   subcommand.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
-  subcommand
-      .add_option("--threads", options.threads, "Threads to use; by default as many as there are cores")
+  subcommand.add_option("--threads", options.threads, "Number of threads; by default one per core")
       ->transform(whole_number())
       ->check(between(1, most_threads))
       ->default_str("cores");

@@ -119,21 +119,21 @@ void run(const EnergyCommand& command) {
 }  // namespace
 
 void add_energy(CLI::App& app) {
-  CLI::App& sub =
-      *app.add_subcommand("energy", "Evaluate a structure by REBO2 or AIREBO: energy, its parts, forces");
+  CLI::App& sub = *app.add_subcommand(
+      "energy", "Compute the energy of a structure, its parts and the forces, by REBO2 or AIREBO");
   const auto command = std::make_shared<EnergyCommand>();
   add_molecule_input(sub, command->input);
   add_frame_option(sub, command->input);
   sub.add_option("--forces", command->forces,
                  "Write forces and energies of the atoms to this extended XYZ file (eV/Angstrom, eV)");
   sub.add_flag("--parts", command->parts,
-               "Also the parts: of REBO2 repulsive, sigma-pi, conjugation and dihedral; of AIREBO rebo, "
-               "lennard-jones (of AIREBO-M morse) and torsion");
+               "Also give the parts of the energy: repulsive, sigma-pi, conjugation and dihedral of REBO2; "
+               "rebo, lennard-jones (morse of AIREBO-M) and torsion of AIREBO");
   sub.add_flag("--json", command->json, "Print JSON; virial as xx, yy, zz, xy, xz, yz in eV");
   add_potential_option(sub, command->potential, "Potential: rebo2 (default), airebo or airebo-m");
   sub.add_option("--parameters", command->parameters,
-                 "Parameters from a file in the format of LAMMPS's CH.rebo, CH.airebo or CH.airebo-m, "
-                 "whichever goes with the potential")
+                 "Read the parameters from a file in the format of LAMMPS's CH.rebo, CH.airebo or "
+                 "CH.airebo-m, whichever belongs to the potential")
       ->type_name("FILE");
   sub.footer(R"(Energies, in eV, are those of LAMMPS's pair_style rebo, airebo 3.0 and airebo/morse 3.0.
 Examples:

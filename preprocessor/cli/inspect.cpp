@@ -181,17 +181,16 @@ void print_text(const std::string& file, const Inspection& inspection) {
   }
   line("area", fmt::format("{:.6g}", d.area) + (d.volume ? fmt::format(", volume {:.6g}", *d.volume) : ""));
   if (const std::size_t specks = specks_of(surface))
-    line("specks",
-         fmt::format("{} pieces have less than a thousandth of the area each: build --drop-specks leaves "
-                     "out those without room for a cage of carbon",
-                     specks));
+    line("specks", fmt::format("{} pieces have less than a thousandth of the area each: build --drop-specks "
+                               "leaves out those too small for a cage of carbon",
+                               specks));
   for (const std::string& repair : surface.repairs) line("repaired", repair);
   for (const mesh::MeshFinding& finding : d.findings) {
     if (mesh::severity(finding.problem) == mesh::Severity::warning) line("warning", finding.text);
     if (mesh::severity(finding.problem) == mesh::Severity::reason) line("CANNOT BE USED", finding.text);
   }
   if (inspection.cell) print_cell(inspection);
-  if (inspection.usable()) line("usable", "yes: nanocarbon build takes it");
+  if (inspection.usable()) line("usable", "yes: nanocarbon build accepts it");
 }
 
 void run(const InspectCommand& command) {
@@ -216,7 +215,7 @@ void run(const InspectCommand& command) {
 
 void add_inspect(CLI::App& app) {
   CLI::App& sub = *app.add_subcommand(
-      "inspect", "Tell what a mesh is once repaired, and every reason why it could not be used");
+      "inspect", "Describe a mesh as it is once repaired, with every reason why it cannot be used");
   const auto command = std::make_shared<InspectCommand>();
   sub.add_option("MESH", command->mesh, "Mesh file: OFF, OBJ, PLY or STL, text or binary")->required();
   sub.add_flag("--json", command->json, "Print JSON");

@@ -28,7 +28,7 @@ void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
   throw nanocarbon::UserError(
       nanocarbon::Failure::usage,
-      fmt::format("there is no subcommand '{}'; there are {}", argv[1], fmt::join(names, ", ")));
+      fmt::format("there is no subcommand '{}'; the subcommands are {}", argv[1], fmt::join(names, ", ")));
 }
 
 int run(int argc, char** argv) {

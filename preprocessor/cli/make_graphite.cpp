@@ -25,9 +25,9 @@ void add_make_graphite(CLI::App& make) {
     PotentialChoice potential = PotentialChoice::airebo;
     MoleculeOutput output;
   };
-  CLI::App& sub = *make.add_subcommand("graphite", "Layers of graphene on each other, at AIREBO's distance");
+  CLI::App& sub = *make.add_subcommand("graphite", "Stacked layers of graphene, at AIREBO's distance");
   const auto c = std::make_shared<Command>();
-  sub.add_option("--layers", c->layers, "How many; of periodic AB an even number")
+  sub.add_option("--layers", c->layers, "Number of layers; even for periodic AB stacking")
       ->transform(whole_number())
       ->check(between(1, 1000))
       ->capture_default_str();
@@ -40,13 +40,14 @@ void add_make_graphite(CLI::App& make) {
       ->expected(2)
       ->check(above_zero())
       ->capture_default_str();
-  shape->add_option("--cells", c->cells, "Rectangular cells of 4 atoms a layer along x and y, instead")
+  shape
+      ->add_option("--cells", c->cells,
+                   "Or the number of rectangular cells (4 atoms per layer) along x and y")
       ->expected(2)
       ->transform(whole_number())
       ->check(between(1, 20000));
   shape->require_option(0, 1);
-  add_potential_option(sub, c->potential,
-                       "Potential whose distances are taken: airebo (default) or airebo-m");
+  add_potential_option(sub, c->potential, "Potential whose distances are used: airebo (default) or airebo-m");
   add_molecule_output(sub, c->output);
   sub.footer(
       R"(Bonds and layers are where graphite's energy is least, to 7 digits: 1.39575 and 3.35800 Angstrom for AB by AIREBO.
@@ -56,7 +57,7 @@ Examples:
   sub.callback([c, &sub] {
     if (c->potential == PotentialChoice::rebo2)
       throw UserError(Failure::usage,
-                      "REBO2 has no force between layers of graphite: take --potential airebo or airebo-m");
+                      "REBO2 has no force between layers of graphite: use --potential airebo or airebo-m");
     const Stacking stacking = c->stacking == "ab" ? Stacking::ab : Stacking::aa;
     const structures::GraphiteLattice lattice =
         structures::graphite_lattice(stacking, c->potential == PotentialChoice::airebo_m);

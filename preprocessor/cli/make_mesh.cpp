@@ -48,7 +48,8 @@ void add_sphere(CLI::App& mesh) {
   });
   length(mesh, "sphere", "--radius", c->shape.radius, "Radius");
   mesh.get_subcommand("sphere")
-      ->add_option("--subdivisions", c->shape.subdivisions, "Parts S of each edge of an icosahedron")
+      ->add_option("--subdivisions", c->shape.subdivisions,
+                   "Parts S into which each edge of an icosahedron is divided")
       ->transform(whole_number())
       ->check(between(1, 1000))
       ->capture_default_str();
@@ -76,7 +77,7 @@ void add_hemisphere(CLI::App& mesh) {
       add_shape<Hemisphere>(mesh, "hemisphere", "Half a sphere, with a boundary",
                             [](const Hemisphere& s) { return shapes::make_hemisphere(s.radius, s.edge); });
   length(mesh, "hemisphere", "--radius", c->shape.radius, "Radius");
-  length(mesh, "hemisphere", "--edge", c->shape.edge, "Length of the edges of its triangles");
+  length(mesh, "hemisphere", "--edge", c->shape.edge, "Length of the triangles' edges");
 }
 
 //! A capsule, or a cylinder with two boundaries.
@@ -89,7 +90,7 @@ void add_straight(CLI::App& mesh, const char* name, const char* description,
                                      [make](const Straight& s) { return make(s.radius, s.length, s.edge); });
   length(mesh, name, "--radius", c->shape.radius, "Radius");
   length(mesh, name, "--length", c->shape.length, "Length of the straight part");
-  length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
+  length(mesh, name, "--edge", c->shape.edge, "Length of the triangles' edges");
 }
 
 //! A torus, or two grown together.
@@ -102,7 +103,7 @@ void add_rings(CLI::App& mesh, const char* name, const char* description,
                                       [make](const RingShape& s) { return make(s.major, s.minor, s.edge); });
   length(mesh, name, "--major", c->shape.major, "Radius of the circle along the middle of the tube");
   length(mesh, name, "--minor", c->shape.minor, "Radius of the tube");
-  length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
+  length(mesh, name, "--edge", c->shape.edge, "Length of the triangles' edges");
 }
 
 void add_helix(CLI::App& mesh) {
@@ -110,7 +111,7 @@ void add_helix(CLI::App& mesh) {
   length(mesh, "helix", "--coil-radius", c->shape.coil_radius, "Radius of the helix");
   length(mesh, "helix", "--tube-radius", c->shape.tube_radius, "Radius of the tube");
   length(mesh, "helix", "--pitch", c->shape.pitch, "Rise in one turn");
-  length(mesh, "helix", "--edge", c->shape.edge, "Length of the edges of its triangles");
+  length(mesh, "helix", "--edge", c->shape.edge, "Length of the triangles' edges");
   CLI::App& sub = *mesh.get_subcommand("helix");
   sub.add_option("--turns", c->shape.turns, "Number of turns")->check(above_zero())->capture_default_str();
   sub.add_flag("--open", c->shape.open, "Boundaries at both ends, instead of round ends");
@@ -136,7 +137,7 @@ void add_junction(CLI::App& mesh) {
   length(mesh, "junction", "--tube-radius", shape.tube_radius, "Radius of the tubes");
   length(mesh, "junction", "--arm-length", shape.arm_length, "From the middle to the end of each arm");
   length(mesh, "junction", "--blend", shape.blend, "Width over which the crease between arms is rounded");
-  length(mesh, "junction", "--edge", shape.edge, "Length of the edges of its triangles");
+  length(mesh, "junction", "--edge", shape.edge, "Length of the triangles' edges");
   sub.add_flag_callback(
       "--closed", [&shape] { shape.open = false; }, "Round ends, instead of boundaries");
 }
@@ -147,14 +148,14 @@ void add_minimal_surface(CLI::App& mesh, const char* name, const char* descripti
       add_shape<shapes::MinimalSurfacePiece>(mesh, name, description, shapes::make_minimal_surface_piece);
   c->shape.kind = kind;
   length(mesh, name, "--period", c->shape.period, "Period of the surface");
-  length(mesh, name, "--edge", c->shape.edge, "Length of the edges of its triangles");
+  length(mesh, name, "--edge", c->shape.edge, "Length of the triangles' edges");
   CLI::App& sub = *mesh.get_subcommand(name);
-  sub.add_option("--cells", c->shape.cells, "Edge of the cube that it is cut out of, in periods")
+  sub.add_option("--cells", c->shape.cells, "Edge of the cube that it is cut from, in periods")
       ->check(above_zero())
       ->capture_default_str();
   sub.add_option("--thickness", c->shape.thickness,
-                 "Close it: the surface of a shell this thick around it, mesh units (0: the surface itself, "
-                 "with boundaries)")
+                 "Thickness of a closed shell around the surface, mesh units (0: the surface itself, with "
+                 "boundaries)")
       ->check(zero_or_more())
       ->capture_default_str();
 }
@@ -173,15 +174,15 @@ void add_periodic_surface(CLI::App& mesh, shapes::MinimalSurface::Kind kind, con
   shapes::MinimalSurface& surface = c->shape.surface;
   surface.kind = kind;
   length(mesh, name.c_str(), "--period", surface.period, "Edge of the cubic cell");
-  length(mesh, name.c_str(), "--edge", surface.edge, "Length of the edges of its triangles");
+  length(mesh, name.c_str(), "--edge", surface.edge, "Length of the triangles' edges");
   CLI::App& sub = *mesh.get_subcommand(name);
-  sub.add_option("--cells", c->shape.cells, "Cells, all ways or along each edge (1)")
+  sub.add_option("--cells", c->shape.cells, "Number of cells, along every edge or along each (1)")
       ->expected(1, 3)
       ->delimiter(',')
       ->check(between(1, 100))
       ->type_name("N");
   sub.add_flag("--primitive", surface.primitive,
-               "The least cell in place of the cube, where that is centred");
+               "The primitive cell instead of the cube, where the cube is centred");
   sub.add_option("--level", surface.level, "Value of the nodal function on the surface (0: the minimal one)")
       ->check(between(-3.0, 3.0))
       ->capture_default_str();
@@ -189,12 +190,12 @@ void add_periodic_surface(CLI::App& mesh, shapes::MinimalSurface::Kind kind, con
 
 void add_foam(CLI::App& mesh) {
   const auto c = add_shape<shapes::Foam>(
-      mesh, "foam", "A random porous surface in a periodic cube: a level of a Gaussian random field",
+      mesh, "foam", "A random porous surface in a periodic cube: a level set of a Gaussian random field",
       shapes::make_foam);
   length(mesh, "foam", "--size", c->shape.size, "Edge of the cube");
-  length(mesh, "foam", "--edge", c->shape.edge, "Length of the edges of its triangles");
+  length(mesh, "foam", "--edge", c->shape.edge, "Length of the triangles' edges");
   CLI::App& sub = *mesh.get_subcommand("foam");
-  sub.add_option("--waves", c->shape.waves, "Wave lengths of the field along the cube's edge")
+  sub.add_option("--waves", c->shape.waves, "Wavelengths of the field along the cube's edge")
       ->check(between(1.0, 30.0))
       ->capture_default_str();
   sub.add_option("--level", c->shape.level, "Level of the field, in standard deviations")
@@ -220,11 +221,11 @@ void add_make_mesh(CLI::App& make) {
   add_rings(mesh, "genus-two", "Two tori side by side, grown together", shapes::make_genus_two);
   add_helix(mesh);
   add_junction(mesh);
-  add_minimal_surface(mesh, "gyroid-piece", "A cube's worth of the gyroid",
+  add_minimal_surface(mesh, "gyroid-piece", "The part of the gyroid inside a cube",
                       shapes::MinimalSurfacePiece::Kind::gyroid);
-  add_minimal_surface(mesh, "schwarz-p-piece", "A cube's worth of Schwarz's P surface",
+  add_minimal_surface(mesh, "schwarz-p-piece", "The part of Schwarz's P surface inside a cube",
                       shapes::MinimalSurfacePiece::Kind::schwarz_p);
-  add_minimal_surface(mesh, "schwarz-d-piece", "A cube's worth of Schwarz's D surface",
+  add_minimal_surface(mesh, "schwarz-d-piece", "The part of Schwarz's D surface inside a cube",
                       shapes::MinimalSurfacePiece::Kind::schwarz_d);
   using Kind = shapes::MinimalSurface::Kind;
   add_periodic_surface(mesh, Kind::gyroid, "The gyroid in a periodic cell");

@@ -38,8 +38,7 @@ CLI::Validator named(const std::set<std::string>& extensions) {
   return CLI::Validator(
       [extensions](std::string& path) {
         if (extensions.contains(std::filesystem::path(path).extension().string())) return std::string();
-        return fmt::format("{}: name the file with one of the extensions {}", path,
-                           fmt::join(extensions, ", "));
+        return fmt::format("{}: give the file one of the extensions {}", path, fmt::join(extensions, ", "));
       },
       "");
 }
@@ -55,7 +54,8 @@ void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output) {
       ->check(CLI::IsMember({"atomic", "charge", "molecular", "full"}))
       ->capture_default_str();
   subcommand
-      .add_option("--margin", output.margin, "Empty box around the atoms where it is not periodic, Angstrom")
+      .add_option("--margin", output.margin,
+                  "Empty box around the atoms in directions that are not periodic, Angstrom")
       ->check(zero_or_more())
       ->capture_default_str();
   subcommand.add_flag("-q,--quiet", output.quiet, "Print nothing but errors");
@@ -71,9 +71,10 @@ void relax(Molecule& structure, building::PotentialChoice choice, const minimisa
   if (!relaxed.converged || bonds.size() != structure.bonds.size())
     throw UserError(
         Failure::failed,
-        fmt::format("the structure does not come to rest under {} as it was made", building::name(choice)));
+        fmt::format("the structure does not come to rest under {} with the bonds that it was made with",
+                    building::name(choice)));
   if (!output.quiet)
-    fmt::print("relaxed by {}: {:.6f} eV for each atom\n", building::name(choice),
+    fmt::print("relaxed by {}: {:.6f} eV per atom\n", building::name(choice),
                relaxed.energy / static_cast<double>(structure.size()));
 }
 

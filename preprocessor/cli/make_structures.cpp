@@ -58,21 +58,21 @@ void add_make_graphene(CLI::App& make) {
       ->expected(2)
       ->check(above_zero())
       ->capture_default_str();
-  shape->add_option("--cells", c->cells, "Rectangular cells of 4 atoms along x and y, instead")
+  shape->add_option("--cells", c->cells, "Or the number of rectangular cells (4 atoms) along x and y")
       ->expected(2)
       ->transform(whole_number())
       ->check(between(1, 20000));
-  shape->add_option("--flake", c->flake, "A flake in free space of this radius, Angstrom, instead")
+  shape->add_option("--flake", c->flake, "Or the radius of a flake in free space, Angstrom")
       ->check(between(1.5, 5000.0));
   shape->require_option(0, 1);
-  sub.add_flag("--hydrogen", c->hydrogen, "Saturate the rim of a flake with hydrogen");
+  sub.add_flag("--hydrogen", c->hydrogen, "Saturate the edge of a flake with hydrogen");
   add_molecule_output(sub, c->output);
   sub.footer(R"(Examples:
   nanocarbon make graphene --size 100 100 -o sheet.data
   nanocarbon make graphene --flake 20 --hydrogen -o flake.xyz)");
   sub.callback([c, &sub] {
     if (c->hydrogen && c->flake == 0.0)
-      throw UserError(Failure::usage, "--hydrogen is for the rim of a flake: a periodic sheet has none");
+      throw UserError(Failure::usage, "--hydrogen is for the edge of a flake: a periodic sheet has none");
     const Molecule molecule = c->flake > 0.0      ? structures::graphene_flake(c->flake)
                               : !c->cells.empty() ? structures::graphene(c->cells[0], c->cells[1])
                                                   : structures::graphene_sheet(c->size[0], c->size[1]);
@@ -110,9 +110,9 @@ void add_make_onion(CLI::App& make) {
     building::PotentialChoice potential = building::PotentialChoice::airebo;
     MoleculeOutput output;
   };
-  CLI::App& sub = *make.add_subcommand("onion", "Icosahedral fullerenes (k, k) around each other");
+  CLI::App& sub = *make.add_subcommand("onion", "Nested icosahedral fullerenes (k, k)");
   const auto c = std::make_shared<Command>();
-  sub.add_option("--shells", c->shells, "How many fullerenes")
+  sub.add_option("--shells", c->shells, "Number of fullerenes")
       ->transform(whole_number())
       ->check(between(1, 60))
       ->capture_default_str();
@@ -121,8 +121,8 @@ void add_make_onion(CLI::App& make) {
       ->check(between(1, 400))
       ->capture_default_str();
   add_potential_option(sub, c->potential,
-                       "Potential to relax it by: airebo (default) or airebo-m; rebo2: as it is built, near "
-                       "equilibrium under REBO2");
+                       "Potential by which it is relaxed: airebo (default) or airebo-m; with rebo2 it stays "
+                       "as built, near equilibrium under REBO2");
   add_molecule_output(sub, c->output);
   sub.footer(
       R"(Shells are about 3.5 Angstrom apart, not bonded, and relaxed by AIREBO, which attracts them to each other.

@@ -37,13 +37,13 @@ struct TubeCommand {
 Molecule periodic_tube_of_length(int n, int m, double length) {
   if (n < 0 || m < 0 || n + m == 0) return structures::periodic_tube(n, m, 1);  // which says what is wrong
   const double periods = std::round(length / structures::tube_geometry(n, m).period);
-  if (periods > 1e8) throw UserError(Failure::usage, "the tube is too long; take a shorter --length");
+  if (periods > 1e8) throw UserError(Failure::usage, "the tube is too long; use a shorter --length");
   return structures::periodic_tube(n, m, std::max(1, static_cast<int>(periods)));
 }
 
 Molecule single_tube(const TubeCommand& c) {
   if (c.periodic && c.ends == "capped")
-    throw UserError(Failure::usage, "--periodic and --ends capped exclude each other; leave one out");
+    throw UserError(Failure::usage, "--periodic and --ends capped cannot be combined; leave one out");
   if (c.periodic || c.ends == "periodic") return periodic_tube_of_length(c.n, c.m, c.length);
   if (c.ends == "capped") return structures::capped_tube(c.n, c.m, c.length);
   const Molecule tube = structures::open_tube(c.n, c.m, c.length);
@@ -55,7 +55,7 @@ Molecule relaxed_bundle(const TubeCommand& c) {
   const building::PotentialChoice potential = c.potential.value_or(building::PotentialChoice::airebo);
   if (potential == building::PotentialChoice::rebo2)
     throw UserError(Failure::usage,
-                    "REBO2 has no force between tubes of a bundle: take --potential airebo or airebo-m");
+                    "REBO2 has no force between tubes of a bundle: use --potential airebo or airebo-m");
   const Molecule tube = single_tube(c);
   const double distance = 2.0 * structures::tube_geometry(c.n, c.m).radius + gap_at_start;
   const bool crystal = !c.bundle_cells.empty();
@@ -68,10 +68,11 @@ Molecule relaxed_bundle(const TubeCommand& c) {
 
 Molecule make_tube(const TubeCommand& c) {
   if (c.bundle > 0 && !c.bundle_cells.empty())
-    throw UserError(Failure::usage, "--bundle and --bundle-cells exclude each other; leave one out");
+    throw UserError(Failure::usage, "--bundle and --bundle-cells cannot be combined; leave one out");
   if (c.bundle > 0 || !c.bundle_cells.empty()) return relaxed_bundle(c);
   if (c.potential)
-    throw UserError(Failure::usage, "--potential is for bundles: a tube alone is written as it is rolled");
+    throw UserError(Failure::usage,
+                    "--potential is for bundles: a single tube is written as rolled, without relaxation");
   return single_tube(c);
 }
 
@@ -88,28 +89,27 @@ void add_make_tube(CLI::App& make) {
       ->required()
       ->transform(whole_number())
       ->check(zero_or_more());
-  sub.add_option(
-         "--length", c->length,
-         "Length, Angstrom; of a periodic tube rounded to whole periods, of a capped one without its caps")
+  sub.add_option("--length", c->length,
+                 "Length, Angstrom; rounded to whole periods if periodic, without the caps if capped")
       ->check(between(0.1, 1e7))
       ->capture_default_str();
   sub.add_option("--ends", c->ends,
-                 "hydrogen (cut straight and saturated), open (left with dangling bonds), periodic, or "
-                 "capped (6 pentagons at each end, for n + m of 6 or more, and (5, 0))")
+                 "Ends of the tube: hydrogen (cut straight and saturated), open (left with dangling bonds), "
+                 "periodic, or capped (6 pentagons at each end, for n + m of 6 or more, and (5, 0))")
       ->check(CLI::IsMember({"hydrogen", "open", "periodic", "capped"}))
       ->capture_default_str();
   sub.add_flag("--periodic", c->periodic, "The same as --ends periodic");
-  sub.add_option(
-         "--bundle", c->bundle,
-         "So many tubes beside each other, hexagonally packed (7, 19, 37 are round), relaxed by AIREBO")
+  sub.add_option("--bundle", c->bundle,
+                 "Number of tubes in a hexagonally packed bundle (7, 19 and 37 are round), relaxed by AIREBO")
       ->transform(whole_number())
       ->check(between(1, 1000));
   sub.add_option("--bundle-cells", c->bundle_cells,
-                 "A bundle that fills space, periodic across: rectangular cells of two tubes along x and y")
+                 "A bundle that fills space: the number of rectangular cells (two tubes) along x and y")
       ->expected(2)
       ->transform(whole_number())
       ->check(between(1, 100));
-  add_potential_option(sub, c->potential, "Potential to relax a bundle by: airebo (default) or airebo-m");
+  add_potential_option(sub, c->potential,
+                       "Potential by which a bundle is relaxed: airebo (default) or airebo-m");
   add_molecule_output(sub, c->output);
   sub.footer(
       R"(Radii and periods are those of a rolled graphene sheet with bonds of 1.4204 Angstrom; relax them in LAMMPS.

@@ -24,10 +24,9 @@ void find_file(MoleculeInput& input) {
 
 void add_molecule_input(CLI::App& subcommand, MoleculeInput& input) {
   subcommand
-      .add_option(
-          "FILE", input.file,
-          "LAMMPS data file or text dump, XYZ, extended XYZ, CIF or POSCAR, also packed by gzip; - for "
-          "standard input")
+      .add_option("FILE", input.file,
+                  "LAMMPS data file or text dump, XYZ, extended XYZ, CIF or POSCAR, also compressed with "
+                  "gzip; - for standard input")
       ->option_text("TEXT REQUIRED");
   add_read_options(subcommand, input);
   subcommand.parse_complete_callback([&input] { find_file(input); });
@@ -35,15 +34,13 @@ void add_molecule_input(CLI::App& subcommand, MoleculeInput& input) {
 
 void add_read_options(CLI::App& subcommand, MoleculeInput& input) {
   subcommand
-      .add_option(
-          "--types", input.types,
-          "Elements of the file's atom types, where it does not say them: of types 1, 2, ... ('C H'), or "
-          "of types and names ('1=C CA=C')")
+      .add_option("--types", input.types,
+                  "Elements of the file's atom types, if it does not give them: of types 1, 2, ... ('C H'), "
+                  "or by number or name ('1=C CA=C')")
       ->type_name("ELEMENTS");
   subcommand
-      .add_option(
-          "--atom-style", input.atom_style,
-          "LAMMPS's name of the columns of a data file that does not say it (atomic, full, sphere, ...)")
+      .add_option("--atom-style", input.atom_style,
+                  "LAMMPS atom style of a data file that does not name it (atomic, full, sphere, ...)")
       ->type_name("NAME");
   subcommand.add_option("--boundary", input.boundary,
                         "Which directions are periodic, such as 'p p f'; overrides what the file says");
@@ -52,7 +49,7 @@ void add_read_options(CLI::App& subcommand, MoleculeInput& input) {
 void add_frame_option(CLI::App& subcommand, MoleculeInput& input) {
   subcommand
       .add_option("--frame", input.frame,
-                  "Which frame of a file with several: 1 is the first, the default; -1 the last")
+                  "Frame to read from a file with several: 1 is the first (default), -1 the last")
       ->type_name("N");
 }
 
@@ -62,7 +59,7 @@ molecule::MoleculeReadOptions read_options(const MoleculeInput& input) {
   std::string letters = input.boundary;
   std::erase(letters, ' ');
   if (letters.size() != 3 || letters.find_first_not_of("pfsm") != std::string::npos)
-    throw UserError(Failure::usage, "--boundary takes three letters as of LAMMPS, such as 'p p f', not '" +
+    throw UserError(Failure::usage, "--boundary takes three letters as in LAMMPS, such as 'p p f', not '" +
                                         input.boundary + "'");
   options.periodic.emplace();
   for (std::size_t d = 0; d < 3; ++d) (*options.periodic)[d] = letters[d] == 'p';

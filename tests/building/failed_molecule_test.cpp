@@ -19,7 +19,7 @@ TEST(WhyItDoesNotHold, NamesTheBondAndItsPlaceInTheMesh) {
   molecule.positions[bond.first] += 4 * outwards;
   const SizedSurface surface{shapes::make_sphere(3.55, 8), 10.0, 60};
   const std::string said = describe_failure(molecule, surface);
-  EXPECT_THAT(said, HasSubstr("a bond stretched at 4."));
+  EXPECT_THAT(said, HasSubstr("a bond stretched to 4."));
   // Ten Angstrom for each unit of the mesh.
   const Vec3 middle = 0.05 * (molecule.positions[bond.first] + molecule.positions[bond.second]);
   const auto near = said.find("near (");
@@ -31,7 +31,7 @@ TEST(WhyItDoesNotHold, NamesAtomsThatAreTooClose) {
   Molecule molecule = structures::fullerene(1, 1);
   for (Vec3& p : molecule.positions) p *= 0.7;
   const std::string said = describe_failure(molecule, {shapes::make_sphere(3.55, 8), 1.0, 60});
-  EXPECT_THAT(said, HasSubstr("without a bond pressed together"));
+  EXPECT_THAT(said, HasSubstr("two unbonded atoms pressed to within"));
 }
 
 }  // namespace

@@ -47,10 +47,10 @@ TEST(Likeness, OneThatIsFarOrStrainedIsTold) {
   const Molecule molecule = structures::fullerene(3, 3);
   const Likeness far = likeness(molecule, test::sphere(16, 4), 0.1);
   EXPECT_TRUE(far.far());
-  EXPECT_THAT(far.warnings(), testing::ElementsAre(testing::HasSubstr("from the surface in the mean")));
+  EXPECT_THAT(far.warnings(), testing::ElementsAre(testing::HasSubstr("from the surface on average")));
   const Likeness strained = likeness(molecule, test::sphere(10.5, 4), 1.6);
   EXPECT_TRUE(strained.strained());
-  EXPECT_THAT(strained.warnings(), testing::ElementsAre(testing::HasSubstr("1600 meV an atom")));
+  EXPECT_THAT(strained.warnings(), testing::ElementsAre(testing::HasSubstr("1600 meV per atom")));
 }
 
 }  // namespace

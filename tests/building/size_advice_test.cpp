@@ -29,7 +29,7 @@ TEST(SizeAdvice, NamesTheFirstSizeOfWhichAMoleculeHolds) {
   EXPECT_GE(*found.atoms, 500u);
   EXPECT_EQ(tried.back(), *found.atoms);
   EXPECT_LE(*found.atoms, 1.25 * 500 * 1.1);
-  EXPECT_THAT(advice(found), HasSubstr("of which a draft holds"));
+  EXPECT_THAT(advice(found), HasSubstr("for which a draft holds"));
 }
 
 // The check of features comes first: what it refuses is not tried.

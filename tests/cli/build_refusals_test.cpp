@@ -95,11 +95,11 @@ TEST_F(BuildRefusals, AMoleculeNotShownToBeAtAMinimumIsNotPassedOffAsCertified) 
 
 TEST_F(BuildRefusals, WarnsWhereForcesStayAboveWhatWasAskedFor) {
   const std::string build = "build " + octahedron() + " --quality draft --atoms 200 -o " + path("out.data");
-  EXPECT_THAT(run(build + " --max-force 1e-6").err, testing::Not(HasSubstr("largest force")));
+  EXPECT_THAT(run(build + " --max-force 1e-6").err, testing::Not(HasSubstr("largest remaining force")));
   const Outcome beyond_rounding = run(build + " --max-force 1e-16");
   EXPECT_EQ(beyond_rounding.exit_code, 0);
   EXPECT_THAT(beyond_rounding.err, HasSubstr("warning"));
-  EXPECT_THAT(beyond_rounding.err, HasSubstr("the largest force left is"));
+  EXPECT_THAT(beyond_rounding.err, HasSubstr("the largest remaining force is"));
 }
 
 TEST_F(BuildRefusals, AnOutputThatCannotBeWrittenLeavesNoneOfTheOthers) {

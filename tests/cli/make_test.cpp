@@ -72,9 +72,9 @@ TEST(Make, WhatIsNotHeldTogetherByRebo2IsRefused) {
   for (const std::string what : {"graphite", "tube 5 5 --bundle 7"}) {
     const ProgramOutcome outcome = make(what + " --potential rebo2" + output);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.output, HasSubstr("take --potential airebo or airebo-m"));
+    EXPECT_THAT(outcome.output, HasSubstr("use --potential airebo or airebo-m"));
   }
-  EXPECT_THAT(make("graphite --layers 3" + output).output, HasSubstr("3 layers AB do not repeat along z"));
+  EXPECT_THAT(make("graphite --layers 3" + output).output, HasSubstr("3 AB layers do not repeat along z"));
   EXPECT_EQ(make("tube 5 5 --potential airebo" + output).exit_code, 2);
   EXPECT_EQ(make("tube 5 5 --bundle 7 --bundle-cells 1 1" + output).exit_code, 2);
 }

@@ -11,23 +11,22 @@
 
 namespace nanocarbon::building {
 
-//! Stiff enough that bond switches feel within their reach what bends the sheet away from the surface:
-//! (1.4 eV, graphene's bending rigidity, over the tether for each area)^(1/4) is 3 Angstrom. eV/Angstrom^2.
+//! Stiff enough that a bond switch, within its reach, feels what bends the sheet away from the surface: (graphene's
+//! bending rigidity of 1.4 eV over the tether per area)^(1/4) is 3 Angstrom. eV/Angstrom^2.
 inline constexpr double default_tether = 0.05;
-//! Where the surface's size is meant: a narrow tube's bending presses it outwards by 0.01 eV/Angstrom an
-//! atom.
+//! If the surface's size is prescribed: the bending of a narrow tube presses its atoms outwards with 0.01 eV/Angstrom
+//! each.
 inline constexpr double default_tether_of_size = 0.2;
 
 struct AnnealOptions {
   Quality quality = Quality::good;
   double tether = default_tether;  //!< to the surface while annealing, eV/Angstrom^2
-  double force_tolerance = 1e-3;   //!< eV/Angstrom, of the last minimisation
+  double force_tolerance = 1e-3;   //!< eV/Angstrom, of the final minimisation
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  //! Keep the surface's size. Otherwise, as the number of atoms is what is asked for, it becomes what fits
-  //! best.
+  //! Keep the surface's size. Otherwise the number of atoms is prescribed, and the size becomes what fits them best.
   bool keep_size = false;
-  //! Strains of a periodic cell that the last minimisation frees.
+  //! Strains of a periodic cell that the final minimisation may change.
   minimisation::CellRelaxation relax_cell = minimisation::CellRelaxation::none;
   long largest_ring = 7;  //!< atoms in a ring that annealing makes
   //! Called now and then with what is being done and how much of it, 0 to 1.

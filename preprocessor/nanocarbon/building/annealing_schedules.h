@@ -8,15 +8,15 @@
 
 namespace nanocarbon::building {
 
-//! Times a triangulation can be coarsened to a quarter before too few atoms are left to show a shape; 0 for a
-//! draft, which does not anneal.
+//! How many times a triangulation can be coarsened to a quarter before too few atoms are left to show a shape; 0 for
+//! a draft, which does not anneal.
 int refinements_for(std::size_t atoms, Quality quality);
 
-//! What all schedules have in common: number of atoms, seed, threads, and how cold they end.
+//! What all schedules have in common: number of atoms, seed, threads, and the temperature at their end.
 annealing::BondSwitchingOptions schedule_for(std::size_t atoms, const AnnealOptions& options);
 
 //! From where defects move freely: for molecules small enough, or coarse levels of larger ones.
-//! \param at_length hotter and more slowly, but for the smallest
+//! \param at_length hotter and slower, except for the smallest molecules
 annealing::BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, const AnnealOptions& options);
 
 //! For a start at full size.
@@ -24,7 +24,7 @@ annealing::BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, 
 annealing::BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone,
                                                    const AnnealOptions& options);
 
-//! For what is refined from a coarser level and has its order already.
+//! For a molecule refined from a coarser level, which is already ordered.
 annealing::BondSwitchingOptions refined_schedule(std::size_t atoms, const AnnealOptions& options);
 
 }  // namespace nanocarbon::building

@@ -51,11 +51,10 @@ void require_shape(std::size_t atoms, std::size_t room) {
   constexpr double smallest_part =
       0.5;  // replacing the projection mesh costs some of the area, never this much
   if (static_cast<double>(atoms) >= smallest_part * static_cast<double>(room)) return;
-  throw UserError(
-      Failure::failed,
-      fmt::format("the shape was lost: {} atoms are left where there is room for {}; ask for more "
-                  "atoms, try --projection-interval 0, or take it as it is with --force",
-                  atoms, room));
+  throw UserError(Failure::failed,
+                  fmt::format("the shape was lost: {} atoms are left where there is room for {}; ask for "
+                              "more atoms, try --projection-interval 0, or accept it as it is with --force",
+                              atoms, room));
 }
 
 // The surface of the size, and in the cell, that the molecule has in the end.
@@ -92,10 +91,9 @@ BuildResult build_by_thesis(SizedSurface surface, const BuildOptions& options) {
     const auto relaxed = minimise_dual(result.molecule, *make_potential(options.potential),
                                        annealing::TetherSurface(result.surface.mesh, 1));
     if (!relaxed.intact && !options.force)
-      throw UserError(
-          Failure::failed,
-          "the dual cannot be relaxed with the bonds it has: the potential would bind other atoms; take the "
-          "default recipe, or the molecule as it is with --force");
+      throw UserError(Failure::failed,
+                      "the dual cannot be relaxed with its own bonds: the potential would bind other atoms; "
+                      "use the default recipe, or accept the molecule as it is with --force");
   }
   result.triangulation = std::move(remeshed.mesh);
   result.thesis = std::move(remeshed.record);
@@ -109,9 +107,8 @@ void require_room_for_features(const SizedSurface& surface, const BuildOptions& 
   const features::FeatureProblem& worst = features.problems.front();
   const Vec3 where = worst.where / surface.scale;
   std::string reason = fmt::format(
-      "the shape is too small for {} atoms in {} place(s): a {} of {:.2f} A at ({:.4g}, {:.4g}, {:.4g}) of "
-      "the mesh "
-      "should have {:.2f} A",
+      "with {} atoms the shape is too small in {} place(s): a {} of {:.2f} A at ({:.4g}, {:.4g}, {:.4g}) in "
+      "the mesh needs {:.2f} A",
       surface.atoms, features.problems.size(), name(worst.kind), worst.size, where.x(), where.y(), where.z(),
       worst.needed);
   if (worst.kind == features::FeatureKind::small_hole)
@@ -127,7 +124,7 @@ void require_rings_of_carbon(const Molecule& molecule) {
     throw TooFewAtoms(
         Failure::failed,
         fmt::format(
-            "{} ring(s) have fewer than 5 or more than 8 atoms, for parts of the shape are too narrow",
+            "{} ring(s) have fewer than 5 or more than 8 atoms, because parts of the shape are too narrow",
             wrong));
 }
 
@@ -137,16 +134,15 @@ void require_bonds_that_hold(bool intact, const Molecule& molecule, const SizedS
 
 void require_likeness(const Likeness& l) {
   if (!l.far() && !l.strained()) return;
-  const std::string what =
-      l.far() ? fmt::format(
-                    "its atoms lie {:.1f} A from the surface in the mean, {:.0f}% of the shape's radius of "
-                    "{:.1f} A",
-                    l.distance, 100 * l.distance_share, l.shape_radius)
-              : fmt::format(
-                    "it has {:.0f} meV an atom above graphene, {:.1f} times the {:.0f} that the shape's "
-                    "curvature and boundary cost",
-                    1e3 * l.energy, l.energy_share, 1e3 * l.expected_energy);
-  throw TooFewAtoms(Failure::failed, "the molecule is not the shape: " + what);
+  const std::string what = l.far() ? fmt::format(
+                                         "its atoms lie {:.1f} A from the surface on average, {:.0f}% of the "
+                                         "shape's radius of {:.1f} A",
+                                         l.distance, 100 * l.distance_share, l.shape_radius)
+                                   : fmt::format(
+                                         "its energy is {:.0f} meV per atom above graphene, {:.1f} times the "
+                                         "{:.0f} that the shape's curvature and boundary cost",
+                                         1e3 * l.energy, l.energy_share, 1e3 * l.expected_energy);
+  throw TooFewAtoms(Failure::failed, "the molecule does not have the shape: " + what);
 }
 
 std::vector<int> ranks_of(const TriangleMesh& surface) {
@@ -161,11 +157,10 @@ void require_wide_cell(const SizedSurface& surface) {
   const double grown = least_width / width;
   throw UserError(
       Failure::size,
-      fmt::format(
-          "the cell is {:.3g} A wide at the size asked for, and should have {:.2g} A: ask for --atoms {} or "
-          "more, or take several cells as one with --cells 2",
-          width, least_width,
-          static_cast<std::size_t>(std::ceil(grown * grown * static_cast<double>(surface.atoms)))));
+      fmt::format("the cell is {:.3g} A wide at the size asked for, but needs {:.2g} A: ask for --atoms {} "
+                  "or more, or treat several cells as one with --cells 2",
+                  width, least_width,
+                  static_cast<std::size_t>(std::ceil(grown * grown * static_cast<double>(surface.atoms)))));
 }
 
 AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh& surface) {
@@ -199,7 +194,7 @@ BuildResult build_by_annealing(SizedSurface surface, const BuildOptions& options
   if (!options.force) require_room_for_features(surface, options);
   const std::unique_ptr<potential::Potential> potential = make_potential(options.potential);
   if (options.certify && surface.mesh.space.periodic())
-    throw UserError(Failure::usage, "--certify does not know periodic cells yet; leave it out");
+    throw UserError(Failure::usage, "--certify does not work in periodic cells yet; leave it out");
   AnnealResult made = annealed(surface, *potential, options);
   Molecule molecule = std::move(made.minimum.molecule);
   surface = fitted(std::move(surface), made.minimum.growth, made.minimum.deformation);
@@ -303,14 +298,12 @@ BuildResult build_fitting(const TriangleMesh& surface, BuildOptions options) {
   double from = smallest_size(surface, options.drop_specks);
   std::string last = "nothing was tried";
   for (int i = 0; i < most_builds; ++i) {
-    tell(options, fmt::format("looking for the smallest size from {:.0f} atoms on", from));
+    tell(options, fmt::format("looking for the smallest size from {:.0f} atoms upwards", from));
     const SizeFound found = next_size(search, from, nullptr, 40'000);
     if (!found.atoms)
-      throw UserError(
-          Failure::size,
-          fmt::format("no number of atoms from {:.0f} to {:.0f} fits the shape; take one with --atoms N and "
-                      "--force, or change the shape",
-                      from, found.searched));
+      throw UserError(Failure::size, fmt::format("no number of atoms from {:.0f} to {:.0f} fits the shape; "
+                                                 "force one with --atoms N --force, or change the shape",
+                                                 from, found.searched));
     tell(options, fmt::format("building with {} atoms", *found.atoms));
     options.size = AtomCount{*found.atoms};
     try {
@@ -321,8 +314,8 @@ BuildResult build_fitting(const TriangleMesh& surface, BuildOptions options) {
     }
   }
   throw UserError(Failure::failed,
-                  fmt::format("none of {} sizes up to {:.0f} atoms holds: {}; take one with --atoms N "
-                              "and --force, or change the shape",
+                  fmt::format("none of {} sizes up to {:.0f} atoms gives a molecule that holds: {}; force "
+                              "one with --atoms N --force, or change the shape",
                               most_builds, from / 1.1, last));
 }
 
@@ -360,11 +353,9 @@ minimisation::CellRelaxation relaxed_strains(const BuildOptions& options, const 
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options) {
   const bool periodic = surface.space.periodic();
   if (options.recipe != Recipe::annealed && periodic)
-    throw UserError(
-        Failure::usage,
-        fmt::format("--recipe {} does not know periodic cells; take the default recipe, or the mesh as it "
-                    "is in free space with --periodic none",
-                    name(options.recipe)));
+    throw UserError(Failure::usage, fmt::format("--recipe {} does not work in periodic cells; use the "
+                                                "default recipe, or build in free space with --periodic none",
+                                                name(options.recipe)));
   if (options.relax_cell && *options.relax_cell != minimisation::CellRelaxation::none && !periodic)
     throw UserError(Failure::usage,
                     "--relax-cell is for meshes in a periodic cell; this one is in free space");
@@ -373,7 +364,7 @@ BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& opti
     return build_once(surface, options);
   } catch (const TooFewAtoms& error) {
     if (!options.advise) throw;
-    tell(options, std::string(error.what()) + "; looking for a size that would do");
+    tell(options, std::string(error.what()) + "; looking for a size that works");
     throw UserError(error.failure(),
                     fmt::format("{}; {}", error.what(), advice_after(error, surface, options)));
   }

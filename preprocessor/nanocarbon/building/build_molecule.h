@@ -34,7 +34,7 @@ struct BuildOptions {
   SizeRequest size = AtomPerTriangle{};
   Recipe recipe = Recipe::annealed;
   PotentialChoice potential =
-      PotentialChoice::rebo2;  //!< of the last minimisation, the checks, the certificate
+      PotentialChoice::rebo2;  //!< of the final minimisation, the checks and the certificate
 
   //! \name Of the annealed recipe
   //! @{
@@ -44,36 +44,36 @@ struct BuildOptions {
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
   //! Prove that the molecule is at a minimum (certificate.h); only with potentials of bonds alone.
   bool certify = false;
-  //! Strains of a periodic cell that are freed in the end; nothing: relaxed_strains()
+  //! Strains of a periodic cell that the final minimisation may change; nothing: relaxed_strains()
   std::optional<minimisation::CellRelaxation> relax_cell;
   //! @}
-  //! Leave out pieces of the surface that have no room for a cage; they are an error otherwise.
+  //! Leave out pieces of the surface that are too small for a cage; otherwise they are an error.
   bool drop_specks = false;
-  //! Go on where the shape asks for more atoms, keep a molecule that does not hold or has lost the shape.
-  //! (The program also takes one that is not shown to be at a minimum.)
+  //! Build even if the shape needs more atoms; keep a molecule that does not hold or has lost the shape. (The program
+  //! also accepts one that is not shown to be at a minimum.)
   bool force = false;
-  //! Of the annealed recipe: instead of the size, the smallest number of atoms of two digits whose features are
-  //! large enough and of which a molecule holds.
+  //! Of the annealed recipe: ignore the size, and build with the smallest number of atoms, to two digits, for which all
+  //! features are large enough and a molecule holds.
   bool fit = false;
-  //! Look for a size that would do where one does not.
+  //! If a size does not work, look for one that does.
   bool advise = true;
   thesis::ThesisOptions thesis;  //!< of the thesis and its forerunners
-  bool relax = false;  //!< the dual of theirs, to a minimum of REBO2 with the bonds it has (dual_minimum.h)
+  bool relax = false;  //!< their dual, to a minimum of REBO2 with its own bonds (dual_minimum.h)
 
   unsigned threads = 1;
   std::uint64_t seed = 1;
   //! Called now and then with what is being done and how much of it, 0 to 1.
   std::function<void(std::string_view stage, double fraction)> progress;
-  //! Called with what is known before more is found out: why a size is refused, while the next is sought.
+  //! Called with facts on the way: why a size is refused, before the search for another begins.
   std::function<void(const std::string& fact)> tell;
 };
 
-//! The tether that annealing uses, eV/Angstrom^2: the one asked for, or what suits the size asked for.
+//! The tether that annealing uses, eV/Angstrom^2: the one asked for, or the default for the kind of size asked for.
 double tether_of(const BuildOptions& options);
 
-//! \brief The strains of the cell that are freed: those asked for, or what suits the size asked for.
-//! \details A number of atoms leaves the cell's size free; a length or scale means it. Sheets alone would lose
-//! their ripples by it.
+//! \brief The strains of the cell that may change: those asked for, or the default for the kind of size asked for.
+//! \details With a number of atoms the cell's size is free; a length or scale prescribes it. It is also kept if all
+//! pieces are sheets, which would lose their ripples otherwise.
 minimisation::CellRelaxation relaxed_strains(const BuildOptions& options, const TriangleMesh& surface);
 
 //! Wall-clock seconds of each stage.
@@ -98,8 +98,9 @@ struct BuildResult {
 
 //! \brief From a surface to a molecule of carbon atoms.
 //! \param surface a sound 2-manifold, oriented, mesh units (see load_surface())
-//! \throw UserError (size, unsuitable) as sized_surface(); (size) where features are too small, and with what would do; (failed) where the molecule's topology is not the
-//! surface's, REBO2 would bind other atoms than the molecule does, or the thesis's method lost the shape
+//! \throw UserError (size, unsuitable) as sized_surface(); (size) if features are too small, with a size that works;
+//! (failed) if the molecule's topology is not the surface's, the potential would bind other atoms than the molecule
+//! does, or the shape was lost
 BuildResult build_molecule(const TriangleMesh& surface, const BuildOptions& options);
 
 }  // namespace nanocarbon::building

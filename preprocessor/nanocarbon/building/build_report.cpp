@@ -239,7 +239,7 @@ std::string report_table(const Json& report) {
   line("atoms, bonds", fmt::format("{}, {}", m["atoms"].get<std::size_t>(), m["bonds"].get<std::size_t>()));
   line("rings by size", rings);
   line("topology",
-       fmt::format("{} piece(s), genus {}, Euler characteristic {}, {} boundary loop(s), as the input",
+       fmt::format("{} piece(s), genus {}, Euler characteristic {}, {} boundary loop(s), as in the input",
                    m["pieces"].get<std::size_t>(), m["genus"].get<std::int64_t>(),
                    m["euler_characteristic"].get<std::int64_t>(), m["boundary_loops"].get<std::size_t>()));
   const auto lengths = [&](const char* key) {
@@ -262,7 +262,7 @@ std::string report_table(const Json& report) {
       for (const Json& row : c["stress"])
         for (const Json& value : row) largest = std::max(largest, std::abs(value.get<double>()));
       line("stress, GPa",
-           fmt::format("{:.2g} at most, with strains freed: {}", largest, c["relaxed"].get<std::string>()));
+           fmt::format("at most {:.2g}; strains freed: {}", largest, c["relaxed"].get<std::string>()));
     }
   }
   line("bonds, A", lengths("bond_lengths"));

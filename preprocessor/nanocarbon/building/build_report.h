@@ -9,21 +9,21 @@
 
 namespace nanocarbon::building {
 
-//! What the report says about where a molecule came from.
+//! What the report says about the origin of a molecule.
 struct ReportContext {
   std::string command;               //!< the command line
   std::string input;                 //!< the mesh file
-  std::vector<std::string> repairs;  //!< what was mended in it
+  std::vector<std::string> repairs;  //!< what was repaired in it
 };
 
-//! \brief Everything worth knowing about a molecule and its making, as JSON.
+//! \brief Everything worth knowing about a molecule and how it was made, as JSON.
 //! \details Lengths in Angstrom, angles in degrees, times in seconds. Keys are documented in
-//! preprocessor/doc/report.md. Nothing but the times and thread count depends on anything but input, options
+//! preprocessor/doc/report.md. Apart from the times and the number of threads it depends only on input, options
 //! and seed.
 nlohmann::ordered_json build_report(const BuildResult& result, const BuildOptions& options,
                                     const ReportContext& context);
 
-//! The gist of a report as a table for a terminal, a fact a line.
+//! A summary of a report for a terminal, one fact per line.
 std::string report_table(const nlohmann::ordered_json& report);
 
 }  // namespace nanocarbon::building

@@ -5,8 +5,8 @@
 
 namespace nanocarbon::building {
 
-//! \brief How close two carbons come that belong to different sheets, or to parts of one that face each other.
-//! \details Those are more than four bonds apart; within a flat sheet such are 4.9 Angstrom apart or more.
+//! \brief The smallest distance between carbons of different sheets, or of parts of one sheet that face each other.
+//! \details These are more than four bonds apart; within a flat sheet such atoms are at least 4.9 Angstrom apart.
 //! \param reach how far to look, Angstrom
 //! \return infinity where no two are within reach
 double closest_of_facing_sheets(const Molecule& molecule, double reach);

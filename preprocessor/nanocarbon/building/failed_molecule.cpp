@@ -22,7 +22,7 @@ struct Fault {
 };
 
 Fault worst_fault(const Molecule& molecule) {
-  Fault worst{"atoms that do not lie as their bonds want", Vec3::Zero(), 0};
+  Fault worst{"atoms that are not where their bonds need them", Vec3::Zero(), 0};
   const Space space(molecule.cell);
   const auto between = [&](AtomIndex a, AtomIndex b) {
     return space.displacement(molecule.positions[a], molecule.positions[b]);
@@ -30,18 +30,18 @@ Fault worst_fault(const Molecule& molecule) {
   const auto look = [&](AtomIndex a, AtomIndex b, double excess, const char* what) {
     const Vec3 apart = between(a, b);
     if (excess <= worst.excess) return;
-    worst = {fmt::format("{} at {:.2f} A", what, apart.norm()), molecule.positions[a] + 0.5 * apart, excess};
+    worst = {fmt::format("{} {:.2f} A", what, apart.norm()), molecule.positions[a] + 0.5 * apart, excess};
   };
   std::vector<Bond> bonds = molecule.bonds;
   std::sort(bonds.begin(), bonds.end());
   for (const Bond& bond : bonds)
-    look(bond.first, bond.second, between(bond.first, bond.second).norm() - longest_bond, "a bond stretched");
+    look(bond.first, bond.second, between(bond.first, bond.second).norm() - longest_bond, "a bond stretched to");
   const NeighbourList near = neighbours_within(molecule.positions, space.cell(), closest_unbonded);
   for (AtomIndex a = 0; a < molecule.size(); ++a)
     for (const Neighbour& n : near.of(a))
       if (a < n.atom && !std::binary_search(bonds.begin(), bonds.end(), Bond{a, n.atom}))
         look(a, n.atom, closest_unbonded - between(a, n.atom).norm(),
-             "two atoms without a bond pressed together");
+             "two unbonded atoms pressed to within");
   return worst;
 }
 
@@ -50,7 +50,7 @@ Fault worst_fault(const Molecule& molecule) {
 std::string describe_failure(const Molecule& molecule, const SizedSurface& surface) {
   const Fault fault = worst_fault(molecule);
   const Vec3 where = fault.where / surface.scale;
-  return fmt::format("no molecule was found that holds: {} near ({:.4g}, {:.4g}, {:.4g}) of the mesh",
+  return fmt::format("no molecule was found that holds: {} near ({:.4g}, {:.4g}, {:.4g}) in the mesh",
                      fault.what, where.x(), where.y(), where.z());
 }
 

@@ -9,9 +9,9 @@
 
 namespace nanocarbon::building {
 
-//! \brief Where and why REBO2 would see other bonds than a molecule's.
+//! \brief Says where and why REBO2 would see other bonds than the molecule's.
 //! \param molecule at rest
-//! \param surface that it was made for
+//! \param surface on which it was built
 std::string describe_failure(const Molecule& molecule, const SizedSurface& surface);
 
 }  // namespace nanocarbon::building

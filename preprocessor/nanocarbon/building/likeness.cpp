@@ -79,15 +79,14 @@ bool Likeness::strained() const {
 std::vector<std::string> Likeness::warnings() const {
   std::vector<std::string> told;
   if (beyond(distance_share, distance_share_to_warn, distance, distance_to_warn))
-    told.push_back(fmt::format(
-        "the atoms lie {:.1f} A from the surface in the mean, {:.0f}% of the shape's radius of {:.1f} A: the "
-        "molecule is not quite the shape",
-        distance, 100 * distance_share, shape_radius));
+    told.push_back(
+        fmt::format("the atoms lie {:.1f} A from the surface on average, {:.0f}% of the shape's radius of "
+                    "{:.1f} A: the molecule follows the shape only roughly",
+                    distance, 100 * distance_share, shape_radius));
   if (beyond(energy_share, energy_share_to_warn, energy, energy_to_warn))
     told.push_back(
-        fmt::format("the molecule has {:.0f} meV an atom above graphene, {:.1f} times the {:.0f} that the "
-                    "shape's curvature and "
-                    "boundary cost: it is strained",
+        fmt::format("the molecule's energy is {:.0f} meV per atom above graphene, {:.1f} times the {:.0f} "
+                    "that the shape's curvature and boundary cost: it is strained",
                     1e3 * energy, energy_share, 1e3 * expected_energy));
   return told;
 }

@@ -11,7 +11,7 @@
 namespace nanocarbon::building {
 
 enum class PotentialChoice {
-  rebo2,    //!< Brenner et al. 2002: bonds only; sheets do not feel each other beyond 2 Angstrom
+  rebo2,    //!< Brenner et al. 2002: bonds only; sheets do not interact beyond 2 Angstrom
   airebo,   //!< Stuart et al. 2000: with Lennard-Jones and torsion terms
   airebo_m  //!< O'Connor et al. 2015: with Morse instead of Lennard-Jones terms
 };
@@ -23,7 +23,7 @@ std::string_view name(PotentialChoice choice);
 std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice);
 
 //! \brief A potential with parameters from a file in the format of LAMMPS's CH.rebo, CH.airebo or CH.airebo-m.
-//! \throw UserError (unreadable, malformed), also where the file is one of another potential
+//! \throw UserError (unreadable, malformed), also if the file belongs to another potential
 std::unique_ptr<potential::Potential> make_potential(PotentialChoice choice,
                                                      const std::filesystem::path& parameters);
 

@@ -54,15 +54,16 @@ SizeFound next_size(const SizeSearch& search, double atoms, const features::Feat
 
 std::string advice(const SizeFound& found) {
   if (found.atoms && found.tried)
-    return fmt::format("ask for --atoms {}, the next size of which a draft holds, or go on with --force",
-                       *found.atoms);
+    return fmt::format(
+        "ask for --atoms {}, the next size for which a draft holds, or build anyway with --force",
+        *found.atoms);
   if (found.atoms)
     return fmt::format(
-        "the next size that leaves no feature too small is --atoms {}; ask for that, or go on with "
+        "the next size that leaves no feature too small is --atoms {}; ask for that, or build anyway with "
         "--force",
         *found.atoms);
   return fmt::format(
-      "no number of atoms up to {:.0f} was found that would do; go on with --force, or change the shape",
+      "no number of atoms up to {:.0f} was found that works; build anyway with --force, or change the shape",
       found.searched);
 }
 

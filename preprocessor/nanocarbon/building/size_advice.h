@@ -13,46 +13,45 @@
 
 namespace nanocarbon::building {
 
-//! A molecule that more atoms may make possible. The message says what is wrong, and leaves what to do to who
-//! catches it.
+//! A failure that more atoms may mend. The message says what is wrong; whoever catches it adds what to do.
 class TooFewAtoms : public UserError {
  public:
   TooFewAtoms(Failure failure, const std::string& message,
               std::optional<features::FeatureReport> report = std::nullopt)
       : UserError(failure, message), report_(std::move(report)) {}
-  //! What the check of features said of the surface at this size, if that is what was wrong.
+  //! The report of the feature check at this size, if that was what failed.
   const std::optional<features::FeatureReport>& report() const { return report_; }
 
  private:
   std::optional<features::FeatureReport> report_;
 };
 
-//! \brief Looks for a number of atoms that a surface can have.
+//! \brief A search for a number of atoms that suits a surface.
 struct SizeSearch {
   const TriangleMesh& surface;  //!< of any size
   double bond_length;           //!< Angstrom
   unsigned threads;
-  //! Whether a quickly made molecule of a number of atoms holds.
+  //! Whether a draft with a number of atoms holds.
   std::function<bool(std::size_t atoms)> holds;
-  //! Molecules larger than this are not tried; what is said of them is what the check of features says.
+  //! Molecules larger than this are not tried; for them only the features are checked.
   std::size_t largest_tried = 6000;
 };
 
 struct SizeFound {
-  std::optional<std::size_t> atoms;  //!< nothing where none that was looked at would do
-  bool tried = false;   //!< a molecule of so many atoms held, rather than no feature being too small
+  std::optional<std::size_t> atoms;  //!< nothing if none of those looked at works
+  bool tried = false;   //!< a draft with that many atoms held; otherwise only the features were checked
   double searched = 0;  //!< the largest number that was looked at
 };
 
-//! \brief The next number of two digits whose features are large enough and, unless it is too large for that, of
-//! which a quickly made molecule holds.
-//! \param atoms from here on
-//! \param report what the check said of the surface at this number, where that is known
+//! \brief The next number, to two digits, for which the features are large enough and, unless it is too large to try, a
+//! draft holds.
+//! \param atoms where to start
+//! \param report of the feature check at this number, if known
 //! \param effort atoms of molecules to try in all
 SizeFound next_size(const SizeSearch& search, double atoms, const features::FeatureReport* report,
                     double effort);
 
-//! What to ask for, in words that end a message.
+//! The end of a message, with what to ask for.
 std::string advice(const SizeFound& found);
 
 }  // namespace nanocarbon::building

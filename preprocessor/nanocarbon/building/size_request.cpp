@@ -111,10 +111,11 @@ SizedSurface sized_without_specks(const TriangleMesh& surface, const SizeRequest
                       "fewer than {}; ask for more atoms",
                       specks, largest, smallest_cage));
     if (!drop)
-      throw UserError(Failure::size, fmt::format("{} of {} pieces are specks: of {} atoms in all the largest "
-                                                 "of them has room for {:.2g}, and no "
-                                                 "cage has fewer than {}; leave them out with --drop-specks",
-                                                 specks, areas.size(), sized.atoms, largest, smallest_cage));
+      throw UserError(
+          Failure::size,
+          fmt::format("{} of {} pieces are specks: with {} atoms in all, the largest of them has room for "
+                      "{:.2g}, and no cage has fewer than {}; leave them out with --drop-specks",
+                      specks, areas.size(), sized.atoms, largest, smallest_cage));
     const std::size_t left_out = mesh::drop_specks(rest, least / (sized.scale * sized.scale));
     if (left_out == 0) return sized;  // it lacks no more than rounding
     dropped += left_out;

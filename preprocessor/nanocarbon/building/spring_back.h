@@ -7,9 +7,10 @@
 
 namespace nanocarbon::building {
 
-//! \brief Lets a copy of the molecule go and measures how far it comes from the surface.
-//! \details Energy: fixed-bond REBO2 alone. Distance: after the motion that fits it best.
-//! \param with_scale whether the molecule may be of another size than the surface
+//! \brief Releases a copy of the molecule from its tether and measures how far it moves from the surface.
+//! \details The energy is that of fixed-bond REBO2 alone; the distance is measured after the motion that fits the copy to
+//! the surface best.
+//! \param with_scale whether the size of the molecule may differ from the surface's
 Released spring_back(const annealing::SwitchingState& state, const annealing::TetherSurface& surface,
                      bool with_scale);
 

@@ -25,14 +25,13 @@ Words words_for(MeshProblem problem) {
               "remove or divide these faces"};
     case MeshProblem::duplicate_face:
       return {"face lies on another one with the same vertices",
-              "faces lie on other ones with the same vertices", "remove one of each two"};
+              "faces lie on other ones with the same vertices", "remove one of each pair"};
     case MeshProblem::non_manifold_edge:
       return {"edge has more than two faces", "edges have more than two faces",
               "separate the parts that meet there, or remove inner faces"};
     case MeshProblem::non_manifold_vertex:
-      return {"vertex holds parts of the surface together by a single point",
-              "vertices hold parts of the surface together by a single point",
-              "give each part a vertex of its own"};
+      return {"vertex joins parts of the surface at a single point",
+              "vertices join parts of the surface at single points", "give each part a vertex of its own"};
     case MeshProblem::not_orientable:
       return {"piece is not orientable: it has no two sides",
               "pieces are not orientable: they have no two sides", "cut it open or use another surface"};
@@ -47,14 +46,15 @@ Words words_for(MeshProblem problem) {
               "edges have their two faces wound against each other",
               "the faces are turned when the mesh is used"};
     case MeshProblem::inside_out:
-      return {"the mesh is inside-out: its volume is negative as wound", "", "it is turned when it is used"};
+      return {"the mesh is inside-out: its faces enclose a negative volume", "",
+              "it is turned when it is used"};
     case MeshProblem::unused_vertex:
       return {"vertex belongs to no face", "vertices belong to no face",
               "they are dropped when the mesh is used"};
     case MeshProblem::self_intersection:
       return {"pair of faces intersects", "pairs of faces intersect", "atoms may come too close there"};
     case MeshProblem::search_given_up:
-      return {"the search for intersections was given up: too many faces overlap", "",
+      return {"the search for intersections was abandoned: too many faces overlap", "",
               "look at the mesh in a viewer"};
     case MeshProblem::duplicate_vertex:
       break;

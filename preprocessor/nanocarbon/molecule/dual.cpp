@@ -96,8 +96,9 @@ void append_ring(const TriangleMesh& mesh, const Across& across, VertexIndex ver
   if (rings.atoms.size() - begin != valence)
     throw UserError(
         Failure::unsuitable,
-        fmt::format("the triangles at vertex {} form more than one fan, so it is not a 2-manifold there",
-                    vertex));
+        fmt::format(
+            "the triangles at vertex {} form more than one fan, so the mesh is not a 2-manifold there",
+            vertex));
   rings.offsets.push_back(static_cast<std::uint32_t>(rings.atoms.size()));
 }
 
@@ -142,10 +143,11 @@ Molecule dual(const TriangleMesh& triangulation) {
   }
   if (std::adjacent_find(molecule.bonds.begin(), molecule.bonds.end()) != molecule.bonds.end()) {
     const Bond twice = *std::adjacent_find(molecule.bonds.begin(), molecule.bonds.end());
-    throw UserError(Failure::unsuitable,
-                    fmt::format("triangles {} and {} share two edges, so that their atoms would have "
-                                "two bonds with each other",
-                                twice.first, twice.second));
+    throw UserError(
+        Failure::unsuitable,
+        fmt::format(
+            "triangles {} and {} share two edges, so their atoms would have two bonds with each other",
+            twice.first, twice.second));
   }
   append_rings(triangulation, across, molecule.rings);
   return molecule;

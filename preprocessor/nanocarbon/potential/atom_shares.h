@@ -12,10 +12,10 @@ namespace nanocarbon::potential {
 //! A symmetric tensor in LAMMPS's order: xx, yy, zz, xy, xz, yz.
 using Virial = std::array<double, 6>;
 
-//! \brief Where the terms put the energy and virial of single atoms, if anybody wants them.
-//! \details As LAMMPS shares them out: a bond's energy and a pair force's virial half to each end, an angle's
-//! virial a third to each of its atoms, a dihedral's a quarter. Virial is sum of r (x) f, so pressure times
-//! volume.
+//! \brief Where the terms add the energy and virial of single atoms, if those are wanted.
+//! \details Shared as in LAMMPS: half of a bond's energy and of a pair force's virial goes to each end, a third of
+//! an angle's virial and a quarter of a dihedral's to each of its atoms. The virial is the sum of r (x) f, that is
+//! pressure times volume.
 struct AtomShares {
   double* energies = nullptr;  //!< eV, one for each atom, or nothing
   Virial* virials = nullptr;   //!< eV, one for each atom, or nothing
@@ -32,7 +32,7 @@ struct AtomShares {
     energies[j] += 0.5 * energy;
   }
 
-  //! The virial of a pull along a bond, shared equally by the given atoms. The bond has a length (Angstrom)
+  //! Adds the virial of a pull along a bond, shared equally by the given atoms. The bond has a length (Angstrom)
   //! and a direction (unit vector), as HalfEdge has; the pull, eV/Angstrom, is minus the force on its far
   //! end.
   template <std::size_t n, class BondVector>

@@ -10,10 +10,10 @@
 
 namespace nanocarbon::potential {
 
-//! \brief The atoms of one evaluation: first the own ones, then copies.
+//! \brief The atoms of one evaluation: own atoms first, then copies.
 //! \details A copy is a periodic image, or an atom of another process. Copies have positions and rows of near
-//! pairs, receive forces, and are never the subject of a term of their own. They must reach three bonds (6
-//! Angstrom) beyond the own atoms.
+//! pairs and receive forces, but have no terms of their own. They must reach three bonds (6 Angstrom) beyond the
+//! own atoms.
 struct AtomsView {
   const double* positions;  //!< x, y, z of each atom, Angstrom
   const Element* elements;
@@ -21,9 +21,8 @@ struct AtomsView {
   std::uint32_t all;
 };
 
-//! \brief For each atom the atoms that may be bonded to it: every one within the cut-off, perhaps more.
-//! \details Compressed rows, own atoms and copies alike. Copies further than two bonds away may have empty
-//! rows.
+//! \brief For each atom, the atoms that may be bonded to it: all within the cut-off, perhaps more.
+//! \details Compressed rows, of own atoms and of copies. The rows of copies more than two bonds away may be empty.
 struct NearPairs {
   std::vector<std::uint32_t> offsets = {0};
   std::vector<std::uint32_t> atoms;

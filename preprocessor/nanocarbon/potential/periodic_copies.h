@@ -23,7 +23,7 @@ struct NearAtoms {
   NearPairs pairs;
 };
 
-//! \brief Finds all pairs within a cut-off, and makes copies of atoms up to three steps across the boundary.
+//! \brief Finds all pairs within a cut-off, and makes copies of atoms up to three bonds across the cell's faces.
 //! \param cell nullptr for no periodicity
 //! \param cutoff Angstrom
 NearAtoms find_near_atoms(std::span<const Vec3> positions, const Cell* cell, double cutoff);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What every user of forces sees of a potential.
+// The interface of potentials, for everything that needs energies or forces.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace nanocarbon::potential {
 
 //! What to compute besides the energy, the forces and the virial.
 struct EvaluationOptions {
-  bool general_only = false;   //!< never the fast evaluation of special cases (for comparison)
+  bool general_only = false;   //!< do not use the fast evaluation of special cases (for comparison)
   bool atom_energies = false;  //!< also the energy of each atom
   bool atom_virials = false;   //!< also the virial of each atom; implies general_only
 };
@@ -31,15 +31,15 @@ struct Evaluation {
   std::vector<Mat3> atom_virials;     //!< eV; as LAMMPS shares them; minus LAMMPS's stress times volume
 };
 
-//! A part of the energy by its name, as compute pair or a report prints it.
+//! A part of the energy with the name that LAMMPS's compute pair and reports give it.
 struct EnergyPart {
   std::string_view name;  //!< static text
   double energy;          //!< eV
 };
 
 //! \brief A potential of carbon and hydrogen.
-//! \details Made to be called again and again: implementations keep lists and arrays between calls. Not to be
-//! called from several threads at once.
+//! \details Made for repeated calls: implementations keep lists and arrays between them. Must not be called from
+//! several threads at once.
 class Potential {
  public:
   virtual ~Potential() = default;
@@ -49,7 +49,7 @@ class Potential {
 
   //! \param positions Angstrom, finite
   //! \param elements one for each position
-  //! \param cell nullptr for a molecule in free space; may be as small as one atom
+  //! \param cell nullptr for a molecule in free space; may hold a single atom
   //! \return valid until the next call
   virtual const Evaluation& evaluate(std::span<const Vec3> positions, std::span<const Element> elements,
                                      const Cell* cell, const EvaluationOptions& options) = 0;
@@ -57,16 +57,16 @@ class Potential {
   //! The parts of the last evaluation's energy; their sum is the energy.
   virtual std::vector<EnergyPart> parts() const = 0;
 
-  //! Where bonds end.
+  //! The distances between which bonds fade.
   virtual const BondCutoffs& bond_cutoffs() const = 0;
 
-  //! Energy of an atom of a flat, relaxed sheet of graphene: what other energies are measured from, eV.
+  //! Energy per atom of a flat, relaxed sheet of graphene, eV: the reference for other energies.
   virtual double graphene_energy() const = 0;
 
-  //! Bonds apart up to which atoms act on each other through the bonds.
+  //! The largest number of bonds over which atoms interact.
   virtual unsigned bonded_reach() const { return 3; }
 
-  //! Distance up to which atoms act on each other without bonds, Angstrom; 0 where they do not.
+  //! The largest distance at which unbonded atoms interact, Angstrom; 0 if they do not.
   virtual double unbonded_reach() const { return 0.0; }
 };
 

@@ -118,9 +118,9 @@ TriangleMesh make_minimal_surface(const MinimalSurface& m) {
 
 TriangleMesh make_foam(const Foam& f) {
   require(f.size > 0.0 && f.edge > 0.0, "the lengths of a foam must be above zero");
-  require(f.waves >= 1.0 && f.waves <= 30.0, "a foam has 1 to 30 wave lengths along the edge of its cell");
+  require(f.waves >= 1.0 && f.waves <= 30.0, "a foam has 1 to 30 wavelengths along the edge of its cell");
   require(std::abs(f.level) <= 1.0, "the level must be within one standard deviation");
-  require(f.edge * f.waves <= 0.12 * f.size, "the edge must not be longer than 0.12 wave lengths");
+  require(f.edge * f.waves <= 0.12 * f.size, "the edge must not be longer than 0.12 wavelengths");
   struct Wave {
     Vec3 vector;
     double amplitude, phase;
@@ -159,7 +159,7 @@ TriangleMesh make_foam(const Foam& f) {
   std::vector<bool> kept(ranks.size());
   for (std::size_t c = 0; c < ranks.size(); ++c) kept[c] = ranks[c] > 0;
   require(std::find(kept.begin(), kept.end(), true) != kept.end(),
-          "nothing of the foam goes through its cell; take another seed, or more waves");
+          "no part of the foam continues through its cell; use another seed, or more waves");
   keep_components(mesh, kept, topology);
   return mesh;
 }

@@ -250,7 +250,7 @@ TriangleMesh polygonise(const ImplicitShape& shape, const Vec3& low, const Vec3&
   // Edges of the lattice are 0.87 and 1 spacing long; those of the surface turn out shorter.
   const double spacing = 1.5 * edge;
   if (!(edge > 0.0) || ((high - low).array() / spacing + 3.0).prod() > 5e7)
-    throw UserError(Failure::usage, "the edge is too short for a shape of this size; take a longer one");
+    throw UserError(Failure::usage, "the edge is too short for a shape of this size; use a longer one");
   const Lattice lattice(low, high, spacing);
   Samples samples = sample(lattice, shape, spacing);
   const Samples as_sampled = samples;
@@ -258,7 +258,7 @@ TriangleMesh polygonise(const ImplicitShape& shape, const Vec3& low, const Vec3&
   TriangleMesh mesh = march(lattice, samples);
   if (!check_manifold(mesh).manifold) mesh = march(lattice, as_sampled);
   if (mesh.triangles.empty())
-    throw UserError(Failure::usage, "the edge is too long to show the shape; take a shorter one");
+    throw UserError(Failure::usage, "the edge is too long to show the shape; use a shorter one");
   even_out(mesh, shape, edge, 8);
   return mesh;
 }

@@ -136,7 +136,7 @@ TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, do
   if (!(edge > 0.0)) throw UserError(Failure::usage, "the edge must be above zero");
   const Grid grid(cell, edge);
   if (grid.size() > 5e7)
-    throw UserError(Failure::usage, "the edge is too short for a cell of this size; take a longer one");
+    throw UserError(Failure::usage, "the edge is too short for a cell of this size; use a longer one");
   std::vector<double> values = grid.sample(shape);
   // A node that is on the surface counts as outside, by so little that it does not show.
   const double tiny = 1e-9 * *std::max_element(values.begin(), values.end());
@@ -145,8 +145,8 @@ TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, do
   TriangleMesh mesh = Marcher(grid, values).run();
   if (mesh.triangles.empty())
     throw UserError(Failure::usage,
-                    "there is no surface in the cell: the shape has one sign everywhere, or "
-                    "the edge is too long to show it");
+                    "there is no surface in the cell: the function has the same sign everywhere, or the edge "
+                    "is too long to show the surface");
   mesh.space = Space(cell);
   even_out(mesh, shape, edge, 12);
   return mesh;

@@ -27,9 +27,9 @@ void require(bool condition, const char* what) {
 void require_few_triangles(double area, double edge) {
   const double triangles = area / (0.5 * equilateral_height * edge * edge);
   if (!(triangles <= 2e7))
-    throw UserError(Failure::usage,
-                    fmt::format("that would be {:.2g} triangles; the limit is 20 million: take a longer edge",
-                                triangles));
+    throw UserError(
+        Failure::usage,
+        fmt::format("that would be {:.2g} triangles; the limit is 20 million: use a longer edge", triangles));
 }
 
 int steps(double length, double step, int fewest) {

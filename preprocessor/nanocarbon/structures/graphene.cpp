@@ -53,7 +53,7 @@ Molecule graphene_sheet(double length_x, double length_y) {
 Molecule graphene_flake(double radius) {
   if (!(radius >= 1.5))
     throw UserError(Failure::usage,
-                    fmt::format("a flake of radius {} Angstrom holds no ring; take 1.5 or more", radius));
+                    fmt::format("a flake of radius {} Angstrom contains no ring; use 1.5 or more", radius));
   const Vec3 middle_of_ring(0.0, graphene_bond, 0.0);
   Molecule flake;
   const int reach_x = static_cast<int>(std::ceil(radius / cell_x)) + 1;

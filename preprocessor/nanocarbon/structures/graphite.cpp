@@ -26,11 +26,12 @@ GraphiteLattice graphite_lattice(Stacking stacking, bool morse) {
 
 Molecule graphite(const GraphiteSize& size, Stacking stacking, const GraphiteLattice& lattice, bool slab) {
   if (size.cells_x < 1 || size.cells_y < 1 || size.layers < 1)
-    throw UserError(Failure::usage, "graphite needs at least one cell along x and along y, and a layer");
+    throw UserError(Failure::usage, "graphite needs at least one layer, and one cell along x and along y");
   if (stacking == Stacking::ab && size.layers % 2 == 1 && !slab)
     throw UserError(
         Failure::usage,
-        fmt::format("{} layers AB do not repeat along z: take an even number, AA, or a slab", size.layers));
+        fmt::format("{} AB layers do not repeat along z: use an even number, AA stacking, or a slab",
+                    size.layers));
   const double cell_x = std::numbers::sqrt3 * lattice.bond, cell_y = 3.0 * lattice.bond;
   const std::array<Vec3, 4> cell = {Vec3(0.0, 0.0, 0.0), Vec3(0.5 * cell_x, 0.5 * lattice.bond, 0.0),
                                     Vec3(0.5 * cell_x, 1.5 * lattice.bond, 0.0),

@@ -20,7 +20,7 @@ void append(Molecule& molecule, const Molecule& other) {
 Molecule onion(int innermost, int shells) {
   if (innermost < 1 || shells < 1)
     throw UserError(Failure::usage,
-                    "an onion needs an innermost shell (k, k) with k of 1 or more, and a shell or more");
+                    "an onion needs at least one shell, the innermost being (k, k) with k of 1 or more");
   if (innermost > 400 || shells > 60)
     throw UserError(Failure::usage, "an onion goes up to 60 shells, the innermost up to (400, 400)");
   Molecule result;

@@ -125,8 +125,7 @@ Molecule periodic_tube(int n, int m, int periods) {
 Molecule open_tube(int n, int m, double length) {
   check_indices(n, m);
   if (!(length >= 4.0))
-    throw UserError(Failure::usage,
-                    fmt::format("a tube of {} Angstrom is too short; take 4 or more", length));
+    throw UserError(Failure::usage, fmt::format("a tube of {} Angstrom is too short; use 4 or more", length));
   const RolledSheet sheet(n, m);
   const std::vector<Unrolled> atoms = sheet.one_period();
   Molecule tube;

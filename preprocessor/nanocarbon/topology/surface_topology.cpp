@@ -110,8 +110,8 @@ Judgement judge(const SurfaceTopology& start, const SurfaceTopology& now, bool s
   if (same_bonds) return {Verdict::intact, {}, {}};
   if (now.problem) return {Verdict::not_a_surface, now.problem->reason, now.problem->atom};
   if (start.problem)
-    return {Verdict::not_a_surface, "the bonds were no surface to start with: " + start.problem->reason,
-            start.problem->atom};
+    return {Verdict::not_a_surface,
+            "the bonds did not form a surface to start with: " + start.problem->reason, start.problem->atom};
   std::vector<ComponentTopology> before = start.components, after = now.components;
   std::sort(before.begin(), before.end());
   std::sort(after.begin(), after.end());

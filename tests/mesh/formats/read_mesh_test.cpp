@@ -58,9 +58,9 @@ TEST_F(ReadMesh, WhatIsNoMeshIsSaidSo) {
   EXPECT_THAT(malformed(file("a.off", "")), HasSubstr("a.off: the file is empty"));
   EXPECT_THAT(malformed(file("a.txt", "hello\n")), HasSubstr("is not an OFF, OBJ, PLY or STL file"));
   EXPECT_THAT(malformed(file("a.off", "hello\n")), HasSubstr("a.off:1: "));
-  EXPECT_THAT(malformed(file("a.ply", "hello\n")), HasSubstr("a.ply:1: a PLY file begins with ply"));
+  EXPECT_THAT(malformed(file("a.ply", "hello\n")), HasSubstr("a.ply:1: a PLY file must begin with 'ply'"));
   EXPECT_THAT(malformed(file("a.obj", "hello\n")), HasSubstr("no vertices"));
-  EXPECT_THAT(malformed(file("a.obj", std::string("\x1f\x8b\x08\0", 4))), HasSubstr("compressed by gzip"));
+  EXPECT_THAT(malformed(file("a.obj", std::string("\x1f\x8b\x08\0", 4))), HasSubstr("compressed with gzip"));
   EXPECT_THAT(malformed(file("a.obj", std::string("\xFF\xFEv\0 \0", 6))),
               HasSubstr("UTF-16; save it as UTF-8"));
   EXPECT_THAT(malformed(file("a.obj", std::string("v\0 \0001\0 \0", 8))), HasSubstr("UTF-16"));

@@ -194,7 +194,7 @@ TEST(ReadPly, BrokenTextFilesAreRefusedWithTheLine) {
 
 TEST(ReadPly, BrokenHeadersAreRefusedWithTheLine) {
   EXPECT_THAT(refused("ply\nformat ascii 1.0\n"), HasSubstr("ends before end_header"));
-  EXPECT_THAT(refused("ply\nend_header\n"), HasSubstr("no line 'format'"));
+  EXPECT_THAT(refused("ply\nend_header\n"), HasSubstr("no 'format' line"));
   EXPECT_THAT(refused("ply\nformat ascii 2.0\nend_header\n"), HasSubstr("a.ply:2: PLY version '2.0'"));
   EXPECT_THAT(refused("ply\nformat text 1.0\nend_header\n"),
               HasSubstr("a.ply:2: 'text' is not a PLY format"));

@@ -129,7 +129,7 @@ TEST(ReadStl, AWrongCountIsRightedByTheLengthOfAFileThatCloses) {
     EXPECT_THAT(soup.notes, testing::Contains(HasSubstr("the file's length says 4"))) << count;
   }
   EXPECT_EQ(parse_mesh(as_binary(0), "a.stl").faces(), 2u);  // open, but none can be meant
-  EXPECT_THAT(refused(as_binary(1)), HasSubstr("promises 1 triangles, and the file has room for 2"));
+  EXPECT_THAT(refused(as_binary(1)), HasSubstr("promises 1 triangles, but the file has room for 2"));
 }
 
 TEST(ReadStl, BrokenFilesAreRefusedWithThePlace) {
@@ -142,10 +142,10 @@ TEST(ReadStl, BrokenFilesAreRefusedWithThePlace) {
   EXPECT_THAT(refused(as_text().substr(0, as_text().find("endloop"))),
               HasSubstr("the file ends within triangle 0"));
   EXPECT_THAT(refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n"),
-              HasSubstr("a.stl:6: 'vertex' is expected in triangle 0, not 'endloop'"));
+              HasSubstr("a.stl:6: expected 'vertex' in triangle 0, found 'endloop'"));
   EXPECT_THAT(refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n"),
               HasSubstr("a.stl:4: the z coordinate"));
-  EXPECT_THAT(refused("solid\nhello\n"), HasSubstr("a.stl:2: 'facet' or 'endsolid' is expected here"));
+  EXPECT_THAT(refused("solid\nhello\n"), HasSubstr("a.stl:2: expected 'facet' or 'endsolid'"));
 }
 
 }  // namespace

@@ -144,8 +144,8 @@ TEST(Surface, RubbishThatChangesNothingIsDropped) {
   EXPECT_EQ(repaired.mesh.points, test::tetrahedron().points);
   EXPECT_EQ(repaired.mesh.triangles, test::tetrahedron().triangles);
   EXPECT_THAT(repaired.repairs,
-              ElementsAre("mended or dropped faces that repeat a vertex: 3",
-                          "dropped second copies of faces: 1", "dropped vertices that no face uses: 1"));
+              ElementsAre("repaired or dropped faces that repeat a vertex: 3",
+                          "dropped duplicate faces: 1", "dropped vertices that no face uses: 1"));
 }
 
 TEST(Surface, FacesWithoutAreaAreRemovedByFlips) {

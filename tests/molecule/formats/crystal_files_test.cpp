@@ -78,7 +78,7 @@ TEST(CrystalFiles, CifSaysWhatIsWrong) {
   EXPECT_THAT(error_of(cif("", p1, "C1 C 0 0 0 1\n")), HasSubstr("_cell_length_a"));
   EXPECT_THAT(error_of(cif(box, p1, "C1 C 0 0\n")), HasSubstr("test:"));
   EXPECT_THAT(read(cif(box, "", "C1 C 0 0 0 1\n")).warnings,
-              ElementsAre(HasSubstr("does not say its symmetry")));
+              ElementsAre(HasSubstr("does not give its symmetry")));
 }
 
 TEST(CrystalFiles, PoscarOfEveryKind) {

@@ -187,7 +187,7 @@ TEST(LammpsDataReader, ErrorsNameFileAndLine) {
               HasSubstr("does not give a box"));
   EXPECT_THAT(error_of(head), HasSubstr("no Atoms section"));
   EXPECT_THAT(error_of(""), HasSubstr("the file is empty"));
-  EXPECT_THAT(error_of(carbon + "Atoms\n\n1 1 0 0\n2 1 0 0\n"), HasSubstr("name it by --atom-style"));
+  EXPECT_THAT(error_of(carbon + "Atoms\n\n1 1 0 0\n2 1 0 0\n"), HasSubstr("give it with --atom-style"));
 }
 
 TEST(LammpsDataReader, AMissingFileIsUnreadable) {
@@ -213,10 +213,10 @@ TEST(LammpsDataReader, GuessesNoElement) {
   // Masses that stand for none: in units lj, or by programs that know none.
   EXPECT_THAT(error_of(two_types("Masses\n\n1 1.0\n2 1.0\n\n")), HasSubstr("nothing in the file says"));
   // A united atom, CH2.
-  EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011\n2 13.019\n\n")), HasSubstr("no element's mass"));
+  EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011\n2 13.019\n\n")), HasSubstr("a mass that no element has"));
   // A name that says the opposite of the mass.
   EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011 # H\n2 1.008 # C\n\n")),
-              HasSubstr("has the mass of carbon and is called hydrogen"));
+              HasSubstr("has the mass of carbon, but is called hydrogen"));
 }
 
 TEST(LammpsDataReader, TakesElementsFromMassesLabelsCommentsAndOptions) {
@@ -237,7 +237,7 @@ TEST(LammpsDataReader, TakesElementsFromMassesLabelsCommentsAndOptions) {
   EXPECT_THAT(error_of(two_types(""), {.types = {"C", "2=H"}}),
               HasSubstr("some types have names and some do not"));
   const MoleculeFrame against = read(two_types("Masses\n\n1 28.0855\n2 1.008\n\n"), {.types = {"C", "H"}});
-  EXPECT_THAT(against.warnings, ElementsAre(HasSubstr("has the mass of silicon; it is carbon by --types")));
+  EXPECT_THAT(against.warnings, ElementsAre(HasSubstr("has the mass of silicon, but --types says carbon")));
 }
 
 // A type that no atom is of may be anything.
@@ -282,7 +282,7 @@ TEST(LammpsDataReader, ReadsEveryAtomStyle) {
         << style;
   }
   EXPECT_THAT(error_of(start + "Atoms\n\n1 1 0 0 0\n", {.atom_style = "cubic"}),
-              HasSubstr("no atom style 'cubic'"));
+              HasSubstr("'cubic' is not a LAMMPS atom style"));
 }
 
 TEST(LammpsDataReader, TellsStylesWithoutCommentByAllOfTheirLines) {

@@ -82,7 +82,7 @@ TEST(LammpsDumpReader, GuessesNoElement) {
               ElementsAre(Element::carbon, Element::hydrogen));
   EXPECT_THAT(error_of(types, {.types = {"C"}}), HasSubstr("--types does not say what type 2 is"));
   EXPECT_THAT(error_of(dump("id element x y z", "1 C 1 1 1\n2 Au 2 2 2\n")), HasSubstr("gold"));
-  EXPECT_THAT(error_of(dump("id mass x y z", "1 12.011 1 1 1\n2 1 2 2 2\n")), HasSubstr("no element's"));
+  EXPECT_THAT(error_of(dump("id mass x y z", "1 12.011 1 1 1\n2 1 2 2 2\n")), HasSubstr("no element has a mass of"));
   // LAMMPS calls all types C where dump_modify element does not say otherwise.
   const std::string unnamed = dump("id type element x y z", "1 1 C 1 1 1\n2 2 C 2 2 2\n");
   EXPECT_THAT(read(unnamed).warnings, ElementsAre(HasSubstr("dump_modify element")));

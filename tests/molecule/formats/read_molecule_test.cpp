@@ -77,7 +77,7 @@ TEST(ReadMolecule, NamesTheKindsThatItDoesNotRead) {
   EXPECT_THAT(error_of_text(std::string("abc\0def", 7), "a.data"), HasSubstr("binary"));
   EXPECT_THAT(error_of_text("HEADER\nATOM      1  C   MOL     1       0.000   0.000   0.000\n", "a.pdb"),
               HasSubstr("PDB"));
-  EXPECT_THAT(error_of_text("units metal\nread_data x.data\n", "in.graphene"), HasSubstr("script of LAMMPS"));
+  EXPECT_THAT(error_of_text("units metal\nread_data x.data\n", "in.graphene"), HasSubstr("LAMMPS script"));
   EXPECT_THAT(error_of_text("OFF\n3 1 0\n", "a.off"), HasSubstr("nanocarbon build"));
   EXPECT_THAT(error_of_text("hello\n", "a.txt"), HasSubstr("begins with \"hello\""));
 }
@@ -146,7 +146,7 @@ TEST(ReadMolecule, NamesAtomsOnTopOfEachOther) {
 
 TEST(ReadMolecule, SaysWhichNamesInTheOptionsNoAtomHas) {
   EXPECT_THAT(read_text(xyz, "a", {.types = {"CA=C"}}).warnings,
-              ElementsAre(HasSubstr("no atom is called so")));
+              ElementsAre(HasSubstr("no atom has that name")));
   EXPECT_THAT(read_text(xyz, "a", {.types = {"C", "C"}}).warnings, ElementsAre(HasSubstr("was not needed")));
   EXPECT_THAT(error_of_text(xyz, "a", {.atom_style = "full"}),
               HasSubstr("--atom-style is for LAMMPS data files"));

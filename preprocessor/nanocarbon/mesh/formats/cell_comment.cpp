@@ -84,7 +84,7 @@ std::optional<Cell> cell_in_comment(std::string_view contents, const std::string
     std::size_t d = 0;
     for (const char c : *flags)
       if ((c == 'T' || c == 'F') && d < 3) cell.periodic[d++] = c == 'T';
-    if (d != 3) fail("does not have three of T and F in pbc");
+    if (d != 3) fail("does not have three letters T or F in pbc");
   }
   return cell;
 }

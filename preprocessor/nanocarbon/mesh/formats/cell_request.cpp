@@ -33,7 +33,7 @@ void require_usable(const Cell& cell) {
       const double tilt = m.col(i).dot(m.col(j)) / m.col(j).squaredNorm();
       if (m.col(i).norm() >= m.col(j).norm() && std::abs(tilt) > 0.5 + 1e-6)
         refuse(fmt::format(
-            "the cell is more skewed than it need be: take {} minus {} times {} in place of its edge {}",
+            "the cell is more skewed than necessary: use {} minus {} times {} instead of its edge {}",
             "abc"[i], std::round(tilt), "abc"[j], "abc"[i]));
     }
 }
@@ -66,8 +66,7 @@ std::optional<Cell> requested_cell(const CellRequest& request, const PolygonSoup
       const double extent = box.extent()[d];
       if (periodic[static_cast<std::size_t>(d)] && !(extent > 0.0))
         refuse(fmt::format(
-            "the mesh has no extent along {}, so that it cannot be periodic by its bounding box there; "
-            "give --cell",
+            "the mesh has no extent along {}, so its bounding box cannot be its cell; give --cell",
             "xyz"[d]));
       cell.vectors(d, d) = extent > 0.0 ? extent : box.longest_side();
     }
@@ -90,7 +89,8 @@ TriangleMesh in_cell(const TriangleMesh& mesh, const Cell& cell, const CellReque
   for (std::size_t d = 0; d < 3; ++d)
     if (request.cells[d] > 1 && !cell.periodic[d])
       refuse(fmt::format(
-          "the mesh is not periodic along {}: it cannot be repeated there; give --cells 1 for it", "abc"[d]));
+          "the mesh is not periodic along {}, so it cannot be repeated there; give --cells 1 for that edge",
+          "abc"[d]));
   SewnSurface sewn = sew_in_cell(mesh, cell, request.match);
   notes.insert(notes.end(), sewn.notes.begin(), sewn.notes.end());
   return repeated(sewn.mesh, request.cells);

@@ -25,7 +25,8 @@ MeshFormat format_to_write(const std::filesystem::path& path) {
   if (!format)
     throw UserError(
         Failure::usage,
-        fmt::format("{}: the extension names no mesh format; use .off, .obj, .ply or .stl", path.string()));
+        fmt::format("{}: the extension is not that of a mesh format; use .off, .obj, .ply or .stl",
+                    path.string()));
   return *format;
 }
 

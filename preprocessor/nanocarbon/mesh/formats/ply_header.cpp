@@ -27,7 +27,7 @@ PlyType read_type(TextScanner& scanner) {
   const auto found =
       std::find_if(type_names.begin(), type_names.end(), [&](const auto& t) { return t.first == word; });
   if (found == type_names.end())
-    scanner.fail(fmt::format("{} is not a type of PLY properties", quoted(word)));
+    scanner.fail(fmt::format("{} is not a type of a PLY property", quoted(word)));
   return found->second;
 }
 
@@ -57,7 +57,7 @@ PlyEncoding read_format(TextScanner& scanner) {
 
 // Where the header ends. A binary body may hold any bytes, so that the line end is the one of the first line.
 std::string_view header_text(std::string_view contents, const std::string& file) {
-  if (!contents.starts_with("ply")) fail_at_line(file, 1, "a PLY file begins with ply");
+  if (!contents.starts_with("ply")) fail_at_line(file, 1, "a PLY file must begin with 'ply'");
   const std::size_t first_end = contents.find_first_of("\r\n");
   const bool lone_cr =
       first_end != contents.npos && contents[first_end] == '\r' && contents.substr(first_end, 2) != "\r\n";
@@ -111,7 +111,7 @@ PlyHeader read_ply_header(std::string_view contents, const std::string& file) {
   const std::string_view text = header_text(contents, file);
   TextScanner scanner(text, file, {'\0', false});
   scanner.next_line();
-  if (scanner.word() != "ply" || !scanner.at_line_end()) scanner.fail("a PLY file begins with ply");
+  if (scanner.word() != "ply" || !scanner.at_line_end()) scanner.fail("a PLY file must begin with 'ply'");
   PlyHeader header{PlyEncoding::text, {}, text.size(), 0};
   bool has_format = false;
   while (scanner.next_line()) {
@@ -128,10 +128,10 @@ PlyHeader read_ply_header(std::string_view contents, const std::string& file) {
       if (header.elements.empty()) scanner.fail("a property comes before the first element");
       header.elements.back().properties.push_back(read_property(scanner));
     } else if (keyword != "comment" && keyword != "obj_info" && keyword != "end_header") {
-      scanner.fail(fmt::format("{} is not a keyword of PLY headers", quoted(keyword)));
+      scanner.fail(fmt::format("{} is not a keyword of a PLY header", quoted(keyword)));
     }
   }
-  if (!has_format) scanner.fail("the header has no line 'format'");
+  if (!has_format) scanner.fail("the header has no 'format' line");
   header.lines = scanner.line_number();
   return header;
 }

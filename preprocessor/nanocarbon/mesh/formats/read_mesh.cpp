@@ -42,7 +42,7 @@ bool is_utf16(std::string_view contents) {
 [[noreturn]] void fail_unknown(std::string_view contents, const std::string& file) {
   const char* what = "is not an OFF, OBJ, PLY or STL file";
   if (contents.empty()) what = "is empty";
-  if (contents.starts_with("\x1f\x8b")) what = "is compressed by gzip (unpack it first)";
+  if (contents.starts_with("\x1f\x8b")) what = "is compressed with gzip (decompress it first)";
   if (contents.starts_with("PK")) what = "is a ZIP archive such as 3MF (unpack or convert it first)";
   throw UserError(Failure::malformed,
                   fmt::format("{}: the file {}; give a mesh in one of the formats OFF, OBJ, PLY "

@@ -106,10 +106,10 @@ class ObjReader {
     std::size_t shown = 0;
     for (const auto& [keyword, lines] : unknown_) {
       if (++shown > 5) {
-        soup_.notes.push_back(fmt::format("passed over lines of {} further kinds", unknown_.size() - 5));
+        soup_.notes.push_back(fmt::format("skipped lines of {} more kinds", unknown_.size() - 5));
         return;
       }
-      soup_.notes.push_back(fmt::format("passed over {} line(s) of the kind {}", lines, keyword));
+      soup_.notes.push_back(fmt::format("skipped {} line(s) of the kind {}", lines, keyword));
     }
   }
 

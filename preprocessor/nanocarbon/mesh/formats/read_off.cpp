@@ -102,7 +102,7 @@ PolygonSoup read_off(std::string_view text, const std::string& file) {
   }
   if (scanner.next_line())
     soup.notes.push_back(
-        fmt::format("passed over what follows the last face, from line {} on", scanner.line_number()));
+        fmt::format("skipped everything after the last face, from line {} on", scanner.line_number()));
   return soup;
 }
 

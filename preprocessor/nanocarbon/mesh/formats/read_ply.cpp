@@ -42,14 +42,13 @@ class TextBody {
       extra_ = extra;
       if (extra > 0)
         notes_.push_back(
-            fmt::format("passed over {} value(s) on each line of element '{}' that the header does "
-                        "not announce",
+            fmt::format("skipped {} value(s) on each line of element '{}' that the header does not mention",
                         extra, name_));
     }
     if (extra > extra_ || (wrapped_ && extra > 0))
       fail("the line has more values than the element has properties");
     if (extra < extra_ && !wrapped_)
-      fail(fmt::format("the line has {} value(s) more than the element has properties, those before it {}",
+      fail(fmt::format("the line has {} value(s) more than the element has properties, earlier lines have {}",
                        extra, extra_));
   }
   double coordinate(PlyType) {
@@ -296,7 +295,7 @@ PolygonSoup read_body(Body body, const PlyHeader& header) {
         body.fail(fmt::format("face {} uses vertex {}, but there are {} vertices, counted from 0", face,
                               corner, soup.points.size()));
   soup.notes = body.notes();
-  if (!body.rest_is_empty()) soup.notes.push_back("passed over what follows the last element");
+  if (!body.rest_is_empty()) soup.notes.push_back("skipped everything after the last element");
   return soup;
 }
 

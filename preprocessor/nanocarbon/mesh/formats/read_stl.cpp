@@ -41,7 +41,7 @@ class TextStlReader {
       else if (same_word(word, "color") || same_word(word, "colour"))
         continue;
       else
-        scanner_.fail(fmt::format("'facet' or 'endsolid' is expected here, not {}", quoted(word)));
+        scanner_.fail(fmt::format("expected 'facet' or 'endsolid', found {}", quoted(word)));
     }
     if (open) soup_.notes.push_back("the last line, 'endsolid', is missing");
     return std::move(soup_);
@@ -68,7 +68,7 @@ class TextStlReader {
     const std::string_view word = scanner_.word();
     if (!same_word(word, keyword))
       scanner_.fail(
-          fmt::format("'{}' is expected in triangle {}, not {}", keyword, soup_.faces(), quoted(word)));
+          fmt::format("expected '{}' in triangle {}, found {}", keyword, soup_.faces(), quoted(word)));
   }
 
   TextScanner scanner_;
@@ -125,13 +125,13 @@ PolygonSoup read_binary(std::string_view contents, const std::string& file) {
     if (promised > present && !is_closed(soup)) cut_short();
     if (promised > 0 && !is_closed(soup))
       fail(80,
-           fmt::format("the header promises {} triangles, and the file has room for {}", promised, present));
+           fmt::format("the header promises {} triangles, but the file has room for {}", promised, present));
     soup.notes.push_back(
         fmt::format("the header promises {} triangles; the file's length says {}, and these were read",
                     promised, present));
   }
   const std::size_t rest = contents.size() - header_bytes - triangles * triangle_bytes;
-  if (rest > 0) soup.notes.push_back(fmt::format("passed over {} bytes after the last triangle", rest));
+  if (rest > 0) soup.notes.push_back(fmt::format("skipped {} bytes after the last triangle", rest));
   return soup;
 }
 

@@ -193,7 +193,7 @@ void write_mesh(std::ostream& out, MeshFormat format, const TriangleMesh& mesh,
   std::string cell;
   if (mesh.space.periodic()) {
     if (format == MeshFormat::stl)
-      throw UserError(Failure::usage, "STL files have no place for a periodic cell; write OFF, OBJ or PLY");
+      throw UserError(Failure::usage, "an STL file cannot hold a periodic cell; write OFF, OBJ or PLY");
     cell = cell_comment(*mesh.space.cell());
     const Unfolded open = unfolded(mesh);
     MeshFileOptions open_options = options;

@@ -31,11 +31,11 @@ void join_and_drop(PolygonSoup& soup, Repairs& repairs) {
   const CoincidentPoints coincident = coincident_points(soup.points);
   if (coincident.duplicates > 0) join(soup, coincident);
   tell(repairs, "joined vertices to others at the same place", coincident.duplicates);
-  tell(repairs, "mended or dropped faces that repeat a vertex", drop_repeated_vertices(soup));
-  tell(repairs, "dropped second copies of faces", drop_copied_faces(soup));
+  tell(repairs, "repaired or dropped faces that repeat a vertex", drop_repeated_vertices(soup));
+  tell(repairs, "dropped duplicate faces", drop_copied_faces(soup));
   const DroppedFolds folds = drop_folds(soup);
-  tell(repairs, "dropped faces folded upon each other", folds.of_fins);
-  tell(repairs, "dropped the second side of sheets given for both sides, faces", folds.of_sheets);
+  tell(repairs, "dropped faces folded onto each other", folds.of_fins);
+  tell(repairs, "dropped the back faces of sheets given with both sides", folds.of_sheets);
 }
 
 void separate(PolygonSoup& soup, Repairs& repairs) {

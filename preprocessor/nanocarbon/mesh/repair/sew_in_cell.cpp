@@ -324,7 +324,7 @@ class Sewing {
       const Triangle corners = {index[t[0]], index[t[1]], index[t[2]]};
       if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
         fail(fmt::format("the triangle at {} meets itself across the cell", place(mesh_.points[t[0]])),
-             "give several cells as one (--cells 2), or a finer mesh");
+             "treat several cells as one (--cells 2), or give a finer mesh");
       }
       sewn.triangles.push_back(corners);
     }
@@ -337,21 +337,20 @@ class Sewing {
     for (const std::size_t e : topology.non_manifold_edges)
       fail(fmt::format("the edge from {} to {} has more than two faces once the cell's faces are joined",
                        place(sewn.points[edges.low[e]]), place(sewn.points[edges.high[e]])),
-           "faces in the cell's faces should be there once, or not at all");
+           "faces of the mesh that lie in a face of the cell must be there once or not at all");
     for (const VertexIndex v : topology.non_manifold_vertices)
-      fail(fmt::format(
-               "parts of the surface hang together by a single point at {} once the cell's faces are joined",
-               place(sewn.points[v])),
+      fail(fmt::format("parts of the surface meet at a single point at {} once the cell's faces are joined",
+                       place(sewn.points[v])),
            "is the cell right?");
     if (!topology.orientable)
       fail("the surface has no two sides in this cell: going through it leads to the other side",
-           "give the cell twice as large (--cells 2)");
+           "use a cell twice as large (--cells 2)");
     if (const std::size_t turned = wind_alike(sewn, topology, edges))
       note(fmt::format("turned faces that were wound against the others across the cell: {}", turned));
     const double longest = edge_lengths(sewn).max;
     if (longest > space_.least_width() / 3)
       fail("edges are too long for a cell this narrow",
-           "give several cells as one (--cells 2), or a finer mesh");
+           "treat several cells as one (--cells 2), or give a finer mesh");
   }
 
   void note(std::string text) { result_.notes.push_back(std::move(text)); }

@@ -41,8 +41,8 @@ AtomColumns::AtomColumns(std::string_view comment, std::string_view given, std::
     style_ = style_named(given);
     if (!style_)
       throw UserError(Failure::usage,
-                      fmt::format("--atom-style: LAMMPS has no atom style '{}' with columns known "
-                                  "here (atomic, charge, molecular, full, sphere, hybrid, ...)",
+                      fmt::format("--atom-style: '{}' is not a LAMMPS atom style that can be read here "
+                                  "(atomic, charge, molecular, full, sphere, hybrid, ... can)",
                                   shown(given)));
     return;
   }
@@ -61,9 +61,9 @@ std::optional<std::int64_t> AtomColumns::find_type(std::string_view word) const 
 
 std::int64_t AtomColumns::type_of(const TextInput& input, std::string_view word) const {
   if (const auto type = find_type(word)) return *type;
-  input.fail(fmt::format(
-      "'{}' is not one of the file's {} atom types{}", shown(word), types_,
-      style_ ? fmt::format(" (atom style {}; another is named by --atom-style)", style_->name) : ""));
+  input.fail(
+      fmt::format("'{}' is not one of the file's {} atom types{}", shown(word), types_,
+                  style_ ? fmt::format(" (atom style {}; --atom-style sets another)", style_->name) : ""));
 }
 
 AtomColumns::Style AtomColumns::guess(const TextInput& input, const std::vector<std::string_view>& words) {
@@ -80,7 +80,8 @@ AtomColumns::Style AtomColumns::guess(const TextInput& input, const std::vector<
     third_in_doubt_ = true;
     return *style_named("charge");
   }
-  input.fail(fmt::format("{} columns do not tell the atom style: name it by --atom-style", words.size()));
+  input.fail(
+      fmt::format("the atom style cannot be told from {} columns: give it with --atom-style", words.size()));
 }
 
 LammpsAtom AtomColumns::parse(const TextInput& input, const std::vector<std::string_view>& words) {
@@ -88,16 +89,15 @@ LammpsAtom AtomColumns::parse(const TextInput& input, const std::vector<std::str
   const std::size_t columns = style_->columns;
   const bool images = !style_->more && words.size() == columns + 3;
   if (words.size() != columns && !images && !(style_->more && words.size() > columns))
-    input.fail(
-        fmt::format("expected {} or {} columns for an atom of style {}, found {} (another style is named by "
-                    "--atom-style)",
-                    columns, columns + 3, style_->name, words.size()));
+    input.fail(fmt::format(
+        "expected {} or {} columns for an atom of style {}, found {} (--atom-style sets another style)",
+        columns, columns + 3, style_->name, words.size()));
   LammpsAtom atom{input.integer(words[0], "an atom-ID"),
                   0,
                   Vec3::Zero(),
                   {0, 0, 0},
                   static_cast<std::uint32_t>(input.number())};
-  if (atom.id <= 0) input.fail(fmt::format("the atom-ID {} is not above zero", atom.id));
+  if (atom.id <= 0) input.fail(fmt::format("the atom ID {} is not above zero", atom.id));
   if (third_in_doubt_) {
     const auto type = find_type(words[2]);
     if (type) third_as_type_.push_back(*type);
@@ -125,8 +125,8 @@ void AtomColumns::finish(const TextInput& input, std::vector<LammpsAtom>& atoms)
   for (const LammpsAtom& atom : atoms)
     if (atom.type == 0)
       input.fail_at(atom.line,
-                    "neither the second nor the third column is an atom type in every line: name the "
-                    "atom style by --atom-style");
+                    "neither the second nor the third column is an atom type in every line: give the atom "
+                    "style with --atom-style");
 }
 
 }  // namespace nanocarbon::molecule

@@ -43,11 +43,10 @@ class PackedFile {
     const char* reason = gzerror(file_, &code);
     if (count < 0 && code == Z_ERRNO) unreadable(name_, std::strerror(errno));
     if (count < 0)
-      throw UserError(Failure::malformed,
-                      fmt::format("{}: the packed file (gzip) is damaged: {}", name_, reason));
+      throw UserError(Failure::malformed, fmt::format("{}: the gzip file is damaged: {}", name_, reason));
     if (count == 0 && code == Z_BUF_ERROR)
       throw UserError(Failure::malformed,
-                      fmt::format("{}: the packed file (gzip) ends early; copy it again", name_));
+                      fmt::format("{}: the gzip file is truncated; copy it again", name_));
     return static_cast<std::size_t>(count);
   }
 

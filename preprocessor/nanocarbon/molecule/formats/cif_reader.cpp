@@ -84,7 +84,7 @@ Operation operation_of(const Block& block, const std::string& text) {
     } catch (const std::exception&) {  // said below
     }
   }
-  block.fail(fmt::format("'{}' is no symmetry operation (such as x, y+1/2, -z)", shown(text)));
+  block.fail(fmt::format("'{}' is not a symmetry operation (such as x, y+1/2, -z)", shown(text)));
 }
 
 std::vector<Operation> operations_of(const Block& block, std::vector<std::string>& warnings) {
@@ -122,7 +122,7 @@ std::vector<Operation> operations_of(const Block& block, std::vector<std::string
         Failure::unsuitable);
   if (block.value({"_space_group_IT_number", "_symmetry_Int_Tables_number"}).empty())
     warnings.push_back(
-        fmt::format("block data_{} does not say its symmetry; the atoms listed are taken for all",
+        fmt::format("block data_{} does not give its symmetry; the atoms listed are taken to be all of them",
                     shown(block.data.name)));
   return {Operation::identity()};
 }
@@ -153,7 +153,7 @@ std::vector<Site> sites_of(const Block& block, const Cell& cell, ReadSettings& s
     if (table.has_column(occupancy) && !cif::is_null(row[occupancy]) &&
         std::abs(block.number(row[occupancy], "the occupancy of " + what) - 1.0) > 1e-6)
       block.fail(
-          fmt::format("{} has the occupancy {}: the structure is disordered; keep one of its alternatives",
+          fmt::format("{} has the occupancy {}: the structure is disordered; keep one of the alternatives",
                       what, shown(row[occupancy])),
           Failure::unsuitable);
     if (table.has_column(calc_flag) && lower_case(cif::as_string(row[calc_flag])) == "dum") continue;

@@ -28,7 +28,7 @@ void check(const TextInput& input, LammpsFile& file) {
     std::stable_sort(file.atoms.begin(), file.atoms.end(), by_id);
   for (std::size_t i = 1; i < file.atoms.size(); ++i)
     if (file.atoms[i].id == file.atoms[i - 1].id)
-      input.fail_at(file.atoms[i].line, fmt::format("the atom-ID {} was already used on line {}",
+      input.fail_at(file.atoms[i].line, fmt::format("the atom ID {} was already used on line {}",
                                                     file.atoms[i].id, file.atoms[i - 1].line));
 }
 
@@ -36,7 +36,7 @@ AtomIndex index_of(const TextInput& input, const std::vector<std::int64_t>& ids,
                    std::size_t line) {
   const auto found = std::lower_bound(ids.begin(), ids.end(), id);
   if (found == ids.end() || *found != id)
-    input.fail_at(line, fmt::format("the bond is with atom-ID {}, which is not in the Atoms section", id));
+    input.fail_at(line, fmt::format("the bond is with atom ID {}, which is not in the Atoms section", id));
   return static_cast<AtomIndex>(found - ids.begin());
 }
 
@@ -76,7 +76,7 @@ std::vector<Bond> bonds_of(const TextInput& input, const LammpsFile& file, const
   for (const LammpsBond& bond : file.bonds) {
     AtomIndex first = index_of(input, data.ids, bond.first, bond.line);
     AtomIndex second = index_of(input, data.ids, bond.second, bond.line);
-    if (first == second) input.fail_at(bond.line, fmt::format("atom-ID {} is bonded to itself", bond.first));
+    if (first == second) input.fail_at(bond.line, fmt::format("atom ID {} is bonded to itself", bond.first));
     if (first > second) std::swap(first, second);
     bonds.push_back({first, second, {0, 0, 0}});
   }

@@ -100,7 +100,7 @@ void parse_type_label(const TextInput& input, const Words& words, LammpsFile& fi
   const std::int64_t type = input.integer(words[0], "an atom type");
   file.types[type].label = words[1];
   if (!file.labels.emplace(words[1], type).second)
-    input.fail(fmt::format("the label '{}' is that of another type, too", shown(words[1])));
+    input.fail(fmt::format("the label '{}' is also that of another type", shown(words[1])));
 }
 
 void parse_bond(const TextInput& input, const Words& words, LammpsFile& file) {

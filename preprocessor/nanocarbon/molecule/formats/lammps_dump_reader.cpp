@@ -37,7 +37,7 @@ void parse_boundary(const TextInput& input, const Words& words, std::size_t firs
   box.says_boundary = true;
   for (std::size_t d = 0; d < 3; ++d) {
     if (words[first + d].find_first_not_of("pfsm") != std::string_view::npos)
-      input.fail(fmt::format("'{}' is no boundary of LAMMPS (pp, ff, ss, ...)", shown(words[first + d])));
+      input.fail(fmt::format("'{}' is not a LAMMPS boundary (pp, ff, ss, ...)", shown(words[first + d])));
     box.cell.periodic[d] = words[first + d] == "pp";
   }
 }
@@ -130,8 +130,8 @@ class ElementColumn {
     throw UserError(Failure::unsuitable,
                     fmt::format("{}:{}: no column says what the atoms are (element or mass): {}",
                                 input.name(), input.number(),
-                                columns.type ? "say the elements of the types by --types, such as --types C H"
-                                             : "write the dump again with the column element, or type"));
+                                columns.type ? "give the elements of the types, as in --types C H"
+                                             : "write the dump again with a column element or type"));
   }
 
   Element of(const TextInput& input, const Words& words) {
@@ -154,8 +154,8 @@ class ElementColumn {
     for (const auto& [type, name] : name_of_type_)
       if (name != "C") return {};
     return fmt::format(
-        "all {} atom types are called C, as LAMMPS calls them where dump_modify element does not "
-        "say otherwise; say what they are by --types if some are not",
+        "all {} atom types are called C, which is LAMMPS's default without dump_modify element; if some are "
+        "not carbon, say so with --types",
         name_of_type_.size());
   }
 
@@ -186,9 +186,9 @@ class ElementColumn {
       if (!z || word == "1")
         throw UserError(
             Failure::unsuitable,
-            fmt::format("{}: a mass of {} g/mol is no element's: say the elements of the types by "
-                        "--types, such as --types C H",
-                        where, shown(word)));
+            fmt::format(
+                "{}: no element has a mass of {} g/mol: give the elements of the types, as in --types C H",
+                where, shown(word)));
       known =
           known_masses_
               .emplace(word, carbon_or_hydrogen(*z, where, fmt::format("an atom of mass {}", shown(word))))
@@ -223,7 +223,7 @@ Header read_header(TextInput& input) {
       header.box = read_box(input, std::string(name));
     } else if (name == "TIMESTEP" || name == "NUMBER OF ATOMS") {
       const bool step = name == "TIMESTEP";
-      if (step && header.step) input.fail("the frame before has no ITEM: ATOMS");
+      if (step && header.step) input.fail("the previous frame has no ITEM: ATOMS");
       need_line(input, "the number that belongs here");
       if (step)
         header.step = input.integer(trimmed(input.line()), "the time step");
@@ -259,7 +259,7 @@ std::optional<MoleculeFrame> read_lammps_dump_frame(TextInput& input, ReadSettin
   frame.molecule.cell = cell_as_read(input, header.box->cell, settings);
   if (!header.box->says_boundary && !settings.periodic)
     frame.warnings.push_back(
-        "the dump does not say which directions are periodic; all are taken to be (say it by "
+        "the dump does not say which directions are periodic; all are taken to be (if not, give them, as in "
         "--boundary 'p p f')");
   frame.molecule.positions.reserve(room_for(atoms));
   frame.molecule.elements.reserve(room_for(atoms));

@@ -92,7 +92,9 @@ bool is_cif(const Lines& lines) {
 [[noreturn]] void refuse(const std::string& file, std::string_view what) {
   throw UserError(
       Failure::malformed,
-      fmt::format("{}: {}; LAMMPS data files and text dumps, XYZ, CIF and POSCAR are read", file, what));
+      fmt::format(
+          "{}: {}; the formats that are read are LAMMPS data files and text dumps, XYZ, CIF and POSCAR", file,
+          what));
 }
 
 void refuse_by_kind(std::string_view head, const Lines& lines, const std::string& file) {
@@ -100,11 +102,11 @@ void refuse_by_kind(std::string_view head, const Lines& lines, const std::string
   if (head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff"))
     refuse(file, "the text is UTF-16; save it as UTF-8 or ASCII (iconv -f UTF-16 -t UTF-8)");
   if (head.starts_with("\x28\xb5\x2f\xfd"))
-    refuse(file, "it is packed by zstd; unpack it first, or pack it by gzip");
-  if (head.starts_with("BZh")) refuse(file, "it is packed by bzip2; unpack it first, or pack it by gzip");
+    refuse(file, "it is compressed with zstd; decompress it first, or use gzip");
+  if (head.starts_with("BZh")) refuse(file, "it is compressed with bzip2; decompress it first, or use gzip");
   if (head.starts_with("\xfd"
                        "7zXZ"))
-    refuse(file, "it is packed by xz; unpack it first, or pack it by gzip");
+    refuse(file, "it is compressed with xz; decompress it first, or use gzip");
   if (head.starts_with("PK\x03\x04")) refuse(file, "it is a zip archive; unpack it first");
   if (head.starts_with("LammpS RestartT"))
     refuse(file,
@@ -113,14 +115,14 @@ void refuse_by_kind(std::string_view head, const Lines& lines, const std::string
   if (head.find('\0') != std::string_view::npos) refuse(file, "it is a binary file");
   for (const std::string_view line : lines) {
     if (line.starts_with("ATOM  ") || line.starts_with("HETATM"))
-      refuse(file, "it is a PDB file; convert it to XYZ, for example by ASE or OVITO");
+      refuse(file, "it is a PDB file; convert it to XYZ, for example with ASE or OVITO");
     if (line.starts_with("@<TRIPOS>"))
-      refuse(file, "it is a mol2 file; convert it to XYZ, for example by Open Babel");
+      refuse(file, "it is a mol2 file; convert it to XYZ, for example with Open Babel");
     if (line.starts_with("pair_style ") || line.starts_with("read_data "))
-      refuse(file, "it is a script of LAMMPS; name the data file that it reads");
+      refuse(file, "it is a LAMMPS script; give the data file that it reads");
   }
   if (!lines.empty() && (lines[0] == "OFF" || lines[0] == "ply" || lines[0].starts_with("solid ")))
-    refuse(file, "it is a mesh; make a molecule of it by nanocarbon build");
+    refuse(file, "it is a mesh; make a molecule from it with nanocarbon build");
 }
 
 std::optional<MoleculeFormat> format_of_name(std::string file) {
@@ -160,7 +162,7 @@ MoleculeFormat recognise_molecule(std::string_view head, const std::string& file
   if (const auto format = format_of_name(file)) return *format;
   if (first < lines.size() && words_of(lines[first]).size() == 1 && is_integer(words_of(lines[first])[0]))
     return MoleculeFormat::xyz;
-  refuse(file, fmt::format("neither what it holds nor its name tells the format (it begins with \"{}\")",
+  refuse(file, fmt::format("neither its contents nor its name tells the format (it begins with \"{}\")",
                            first < lines.size() ? shown(lines[first]) : ""));
 }
 

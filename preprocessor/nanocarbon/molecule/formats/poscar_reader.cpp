@@ -75,11 +75,10 @@ MoleculeFrame read_poscar(TextInput& input, ReadSettings& settings) {
     counts.push_back(input.count(words[k], "atoms"));
     if (!named && counts.back() > 0) {
       if (settings.types.empty())
-        throw UserError(
-            Failure::unsuitable,
-            fmt::format("{}:{}: the file does not name its elements (VASP 5 does before this line): say "
-                        "them by --types, such as --types C H",
-                        input.name(), input.number()));
+        throw UserError(Failure::unsuitable,
+                        fmt::format("{}:{}: the file does not name its elements (VASP 5 does before this "
+                                    "line): give them, as in --types C H",
+                                    input.name(), input.number()));
       elements.push_back(species.of_name(input, fmt::format("{}", k + 1)));
     } else if (!named) {
       elements.push_back(Element::carbon);

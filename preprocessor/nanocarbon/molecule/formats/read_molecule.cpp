@@ -86,7 +86,7 @@ std::optional<std::string> MoleculeFile::unused_types() const {
   if (types.in_order() ? unused.size() < *types.in_order() || unused.empty() : unused.empty())
     return std::nullopt;
   if (types.in_order()) return "--types was not needed: the atoms have names, not numbers";
-  return fmt::format("--types names {}, but no atom is called so", fmt::join(unused, ", "));
+  return fmt::format("--types names {}, but no atom has that name", fmt::join(unused, ", "));
 }
 
 namespace {
@@ -156,7 +156,7 @@ MoleculeFrame read_molecule(MoleculeFile& file, const std::string& name, std::op
   if (result.molecule.size() == 0) throw UserError(Failure::unsuitable, name + ": there are no atoms in it");
   if (!frame && file.more())
     result.warnings.push_back(
-        "there are other frames in the file; this is the first (--frame N takes another, -1 the last)");
+        "there are more frames in the file; this is the first (--frame N reads another, -1 the last)");
   if (const auto unused = file.unused_types()) result.warnings.push_back(*unused);
   look_for_close_atoms(result, name);
   return result;

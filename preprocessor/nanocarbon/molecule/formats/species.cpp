@@ -39,11 +39,11 @@ AtomicNumber said_element(const std::string& word) {
 
 // What a name could stand for, for the message that refuses it.
 std::string why_doubtful(std::string_view name) {
-  if (is_number(name)) return "is a number, of a type or an element";
+  if (is_number(name)) return "is a number, which could be a type or an element";
   if (name.size() >= 2 && is_letter(name[0]) && is_letter(name[1])) {
     const auto two = atomic_number_of_symbol(upper_initial(name.substr(0, 2)));
     if (two && (name.size() == 2 || !is_letter(name[2])))
-      return fmt::format("could be {} or a name of one's own", element_name(*two));
+      return fmt::format("could be {} or an arbitrary name", element_name(*two));
   }
   return "names no element";
 }
@@ -77,7 +77,7 @@ TypeNames::TypeNames(const std::vector<std::string>& words) {
   if (named == 0 && !parts.empty()) in_order_ = parts.size();
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const std::string name = in_order_ ? fmt::format("{}", k + 1) : parts[k].substr(0, parts[k].find('='));
-    if (name.empty()) misused(fmt::format("'{}' names no type", shown(parts[k])));
+    if (name.empty()) misused(fmt::format("'{}' does not name a type", shown(parts[k])));
     if (!elements_.emplace(name, Said{said_element(parts[k]), false}).second)
       misused(fmt::format("type {} is named twice", shown(name)));
   }
@@ -112,11 +112,10 @@ Element SpeciesReader::look_up(const TextInput& input, std::string_view name) {
     return carbon_or_hydrogen(*said, where, fmt::format("'{}' (by --types)", quoted));
   const auto z = is_number(name) ? std::nullopt : atomic_number_of_label(name);
   if (!z)
-    throw UserError(
-        Failure::unsuitable,
-        fmt::format("{}: the atom's name '{}' {}: say what it is by --types {}=C or --types {}=H; "
-                    "the line is \"{}\"",
-                    where, quoted, why_doubtful(name), quoted, quoted, shown(trimmed(input.line()))));
+    throw UserError(Failure::unsuitable, fmt::format("{}: the atom's name '{}' {}: say what it is with "
+                                                     "--types {}=C or --types {}=H; the line is \"{}\"",
+                                                     where, quoted, why_doubtful(name), quoted, quoted,
+                                                     shown(trimmed(input.line()))));
   return carbon_or_hydrogen(*z, where, fmt::format("'{}'", quoted));
 }
 
@@ -131,8 +130,8 @@ Element carbon_or_hydrogen(AtomicNumber z, const std::string& where, const std::
   if (z == 6) return Element::carbon;
   if (z == 1) return Element::hydrogen;
   throw UserError(Failure::unsuitable,
-                  fmt::format("{}: {} is {} ({}); the potentials here know carbon and hydrogen only", where,
-                              what, element_name(z), element_symbol(z)));
+                  fmt::format("{}: {} is {} ({}); the potentials here are for carbon and hydrogen only",
+                              where, what, element_name(z), element_symbol(z)));
 }
 
 }  // namespace nanocarbon::molecule

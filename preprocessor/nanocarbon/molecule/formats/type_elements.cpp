@@ -43,7 +43,7 @@ class Elements {
     if (!said && !type.label.empty()) said = settings_.types.find(type.label);
     if (said) {
       if (by_mass && by_mass != said)
-        warnings_.push_back(fmt::format("{} has the mass of {}; it is {} by --types", what,
+        warnings_.push_back(fmt::format("{} has the mass of {}, but --types says {}", what,
                                         element_name(*by_mass), element_name(*said)));
       return carbon_or_hydrogen(*said, where, what + " (by --types)");
     }
@@ -51,23 +51,22 @@ class Elements {
                by_comment = atomic_number_of_label(type.comment);
     for (const auto by_name : {by_label, by_comment})
       if (is_carbon_or_hydrogen(by_mass) && is_carbon_or_hydrogen(by_name) && by_mass != by_name)
-        refuse(where, fmt::format("{} has the mass of {} and is called {}", what, element_name(*by_mass),
+        refuse(where, fmt::format("{} has the mass of {}, but is called {}", what, element_name(*by_mass),
                                   element_name(*by_name)));
     for (const auto z : {by_mass, by_label, by_comment})
       if (z) return carbon_or_hydrogen(*z, where, what);
-    refuse(where,
-           type.mass && !stands_for_no_mass(*type.mass, types_)
-               ? fmt::format("{} has no element's mass", what)
-               : fmt::format("nothing in the file says what {} is (no mass, label or name that does)", what));
+    refuse(where, type.mass && !stands_for_no_mass(*type.mass, types_)
+                      ? fmt::format("{} has a mass that no element has", what)
+                      : fmt::format("nothing in the file says what {} is (no mass, label or name)", what));
   }
 
  private:
   [[noreturn]] void refuse(const std::string& where, const std::string& problem) const {
     throw UserError(
         Failure::unsuitable,
-        fmt::format("{}: {}: say the elements of the file's {} types by --types, such as --types{} or "
-                    "--types 1=C",
-                    where, problem, count_, suggestion()));
+        fmt::format(
+            "{}: {}: give the elements of the file's {} types with --types, as in --types{} or --types 1=C",
+            where, problem, count_, suggestion()));
   }
   std::string suggestion() const {
     std::string words;
@@ -89,7 +88,7 @@ std::map<std::int64_t, Element> elements_of_types(const TextInput& input, const 
                                                   ReadSettings& settings,
                                                   std::vector<std::string>& warnings) {
   if (settings.types.in_order().value_or(0) > count)
-    throw UserError(Failure::usage, fmt::format("--types names {} types, but {} has {}",
+    throw UserError(Failure::usage, fmt::format("--types gives {} types, but {} has {}",
                                                 *settings.types.in_order(), input.name(), count));
   Elements elements(input, types, count, settings, warnings);
   std::map<std::int64_t, Element> result;

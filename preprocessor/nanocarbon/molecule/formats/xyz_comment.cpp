@@ -96,8 +96,8 @@ std::optional<Cell> parse_cell(const TextInput& input, const Keys& keys, const R
       throw UserError(
           Failure::unsuitable,
           fmt::format("{}:{}: pbc says that the structure is periodic, but there is no Lattice: add "
-                      "Lattice=\"ax ay az bx by bz cx cy cz\" to this line, or take the structure as "
-                      "free by --boundary 'f f f'",
+                      "Lattice=\"ax ay az bx by bz cx cy cz\" to this line, or read the structure in free "
+                      "space with --boundary 'f f f'",
                       input.name(), input.number()));
     return std::nullopt;
   }

@@ -21,14 +21,13 @@ struct AireboResult : potential::Evaluation {
 };
 
 //! \brief AIREBO or AIREBO-M for carbon and hydrogen.
-//! \details As LAMMPS's `pair_style airebo` and `airebo/morse` evaluate it. Made to be called again and
-//! again: lists and arrays are kept, and pairs are looked for anew only after an atom has moved by half the
-//! skin.
+//! \details As LAMMPS's `pair_style airebo` and `airebo/morse` evaluate it. Made for repeated calls: lists
+//! and arrays are kept, and pairs are searched for again only after an atom has moved by half the skin.
 class Airebo final : public potential::Potential {
  public:
   //! \param instructions of the plain sum over pairs: "generic", "avx2" or "avx512"; empty for the best that
   //! runs here
-  //! \throw UserError (usage) where this processor or build does not have them
+  //! \throw UserError (usage) if this processor or build does not have them
   explicit Airebo(const AireboParameters& parameters = airebo_parameters(), const AireboTerms& terms = {},
                   std::string_view instructions = {});
   ~Airebo() override;
@@ -37,8 +36,8 @@ class Airebo final : public potential::Potential {
 
   std::string_view name() const override;
   //! \details Energies and virials of single atoms come from the general evaluation, which is slower. They are
-  //! shared as LAMMPS shares them, but for the virial of paths where two are equally good: which atoms get it
-  //! depends on the order of neighbours there, too.
+  //! shared as in LAMMPS, except for the virial of a path if another is equally good: which atoms get it depends on
+  //! the order of neighbours in LAMMPS as well.
   const AireboResult& evaluate(std::span<const Vec3> positions, std::span<const Element> elements,
                                const Cell* cell = nullptr,
                                const potential::EvaluationOptions& options = {}) override;
@@ -47,11 +46,11 @@ class Airebo final : public potential::Potential {
   double graphene_energy() const override;
   double unbonded_reach() const override;
 
-  //! Atoms whose bonds the last fast evaluation left to the general terms.
+  //! Number of atoms whose bonds the last fast evaluation left to the general terms.
   std::size_t general_atoms() const;
-  //! Terms of E_LJ that it did one by one.
+  //! Number of terms of E_LJ that it evaluated one by one.
   std::size_t single_terms() const;
-  //! How often all pairs were looked for so far.
+  //! How often all pairs have been searched for.
   std::size_t list_builds() const;
 
  private:

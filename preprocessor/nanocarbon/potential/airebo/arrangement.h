@@ -10,29 +10,29 @@
 
 namespace nanocarbon::airebo {
 
-//! A molecule or crystal with its images, who is near whom as of some earlier positions, and where all are
-//! now.
+//! A molecule or crystal with its images: which atoms are near each other by some earlier positions, and where they
+//! are now.
 class Arrangement {
  public:
   //! \param skin of near pairs, Angstrom
   explicit Arrangement(double skin) : skin_(skin) {}
 
-  //! \brief Makes everything anew.
+  //! \brief Makes everything from scratch.
   //! \param reach of images;
   //! \param bond of near pairs, without their skin;
   //! \param pair_reach of pairs; all in Angstrom
   void make(std::span<const Vec3> positions, std::span<const Element> elements, const Cell* cell,
             double reach, double bond, double pair_reach);
-  //! Whether it was made for these atoms in this cell, wherever they were.
+  //! Whether it was made for these atoms in this cell, at whatever positions.
   bool is_of(std::span<const Element> elements, const Cell* cell) const;
   //! Takes new positions of the same atoms.
   //! \pre is_of()
   void place(std::span<const Vec3> positions, const Cell* cell) {
     place_sites(positions, cell, sites_, coordinates_);
   }
-  //! Whether no atom has moved by more than half the skin since near pairs were looked for.
+  //! Whether no atom has moved by more than half the skin since near pairs were searched for.
   bool near_is_good(std::span<const Vec3> positions) const;
-  //! Looks for near pairs anew.
+  //! Searches for near pairs again.
   //! \pre place() or make() with the same positions
   void find_near(std::span<const Vec3> positions);
 

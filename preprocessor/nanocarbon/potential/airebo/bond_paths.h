@@ -10,7 +10,7 @@
 
 namespace nanocarbon::airebo {
 
-//! A way from one atom to another along bonds.
+//! A path from one atom to another along bonds.
 struct BondPath {
   std::uint32_t to;
   int length;                          //!< bonds, 1 to 3
@@ -20,12 +20,12 @@ struct BondPath {
 
 //! \brief For one atom, the best path to each atom that up to three bonds lead to.
 //! \details C_ij = 1 - the weight of the best path from i to j (Stuart et al. 2000, equation 13), so no path
-//! means C_ij = 1. Of equally good paths the first found counts, in LAMMPS's order: the bond itself, then for one
-//! neighbour after the other what leads on over it, two bonds before three.
+//! means C_ij = 1. Of equally good paths the first found counts, in LAMMPS's order: the bond itself, then, one
+//! neighbour after the other, the paths through it, those of two bonds before those of three.
 class BondPaths {
  public:
   //! \brief Finds them.
-  //! \pre the bonds of the atom, of its neighbours and of theirs are there
+  //! \pre the bonds of the atom, of its neighbours and of theirs have been found
   void find(rebo2::HalfEdges& edges, std::uint32_t from);
 
   //! \return nullptr where there is none

@@ -10,7 +10,7 @@
 
 namespace nanocarbon::airebo {
 
-//! \brief An atom whose bonds are all whole, ready for p of hypothetical bonds in many directions.
+//! \brief An atom whose bonds are all whole, prepared for p of hypothetical bonds in many directions.
 struct BondStar {
   static constexpr std::uint32_t most_bonds = 4;
 
@@ -36,9 +36,9 @@ class BondStars {
   //! \return the number of the new star, or none where an atom has too many bonds
   std::uint32_t add(std::uint32_t atom, const potential::AtomsView& atoms,
                     const potential::NearPairs& whole_bonds);
-  //! Forgets where the atoms were.
+  //! Marks all positions as out of date.
   void new_step() { ++step_; }
-  //! Brings a star up to the atoms' positions, unless it was in this step.
+  //! Brings a star up to date with the atoms' positions, unless it is already.
   void place(std::uint32_t star, const potential::AtomsView& atoms) {
     if (stars_[star].step != step_) place_star(stars_[star], atoms);
   }

@@ -5,7 +5,7 @@
 
 namespace nanocarbon::airebo {
 
-//! The energy, taken apart, eV.
+//! The parts of the energy, eV.
 struct AireboEnergyParts {
   rebo2::EnergyParts bonds;  //!< E_REBO in its parts, and E_torsion
   double long_range = 0.0;   //!< E_LJ

@@ -10,7 +10,7 @@ namespace nanocarbon::airebo {
 potential::NearPairs find_whole_bonds(const potential::AtomsView& atoms, const potential::NearPairs& near,
                                       const AireboParameters& parameters);
 
-//! \brief Pairs that up to three whole bonds join: C_ij = 0, so E_LJ has no part of them.
+//! \brief Pairs joined by up to three whole bonds: C_ij = 0, so they do not contribute to E_LJ.
 //! \details In rows of own atoms i, sorted: own atoms j > i and copies j.
 potential::NearPairs find_exclusions(std::uint32_t own, const potential::NearPairs& whole_bonds);
 

@@ -13,13 +13,12 @@
 
 namespace nanocarbon::airebo {
 
-//! \brief All of AIREBO but a plain sum over pairs: E_REBO, E_torsion, and what E_LJ differs by from that
-//! sum.
+//! \brief All of AIREBO except a plain sum over pairs: E_REBO, E_torsion, and the difference of E_LJ from that sum.
 //! \details E_LJ = A - B + D. A, which LjSum does, is V(r) slw(r) of all pairs that were not excluded when
-//! lists were made: those that no path of up to three whole bonds joined. So it takes C_ij = 0 or 1 for
-//! known, and S_b = 1. B is V slw S_r (1 - S_b) of the close ones among them; nearly always b* is too small
-//! for S_b to switch, which a bound of it shows. D puts right the pairs whose C_ij has changed or is
-//! fractional. They are near atoms with a bond that is not as it was.
+//! lists were made: those that no path of up to three whole bonds joined. So it assumes that
+//! C_ij is 0 or 1 and S_b = 1. B is V slw S_r (1 - S_b) of the close ones among them; nearly always b* is too small
+//! for S_b to switch, which a bound of it shows. D corrects the pairs whose C_ij has changed or is
+//! fractional, which are near atoms with a bond that has changed.
 //!
 //! Results agree with evaluate_general() up to rounding, wherever atoms are.
 class FastEvaluation {
@@ -27,14 +26,14 @@ class FastEvaluation {
   //! \param model kept by reference
   explicit FastEvaluation(const AireboModel& model);
 
-  //! \brief Takes new lists; to be called whenever the atoms or their numbers have changed.
-  //! \param near as of near_changed()
+  //! \brief Sets new lists; to be called whenever the atoms or their numbering have changed.
+  //! \param near as for near_changed()
   //! \param candidates each pair that may come within longest_hypothetical_bond() until the next call, once,
   //! in the row of an own atom
   //! \param margin atoms may move by half of it until near_changed() must be called, Angstrom
   void lists_changed(const potential::AtomsView& atoms, const potential::NearPairs& near,
                      potential::NearPairs candidates, double margin);
-  //! \brief Takes new near pairs of the same atoms.
+  //! \brief Sets new near pairs of the same atoms.
   //! \param near rows of own atoms and of copies up to where bonds matter (bond_reach()), within
   //! longest_bond() and the margin
   void near_changed(const potential::AtomsView& atoms, const potential::NearPairs& near);
@@ -47,11 +46,11 @@ class FastEvaluation {
   AireboEnergyParts evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near,
                              double* forces);
 
-  //! What does E_REBO and E_torsion, for MixedEvaluation::choose().
+  //! The evaluation of E_REBO and E_torsion, for MixedEvaluation::choose().
   rebo2::MixedEvaluation& bonds() { return bonds_; }
-  //! Own atoms that the last evaluation's bonds left to the general terms.
+  //! Number of own atoms whose bonds the last evaluation left to the general terms.
   std::size_t general_atoms() const { return bonds_.general_atoms(); }
-  //! Terms of E_LJ that the last evaluation did one by one, in general form.
+  //! Number of terms of E_LJ that the last evaluation computed one by one, in general form.
   std::size_t single_terms() const { return terms_.size(); }
   //! Bytes held by the arrays that grow with the atoms.
   std::size_t memory() const;

@@ -11,7 +11,7 @@
 
 namespace nanocarbon::airebo {
 
-//! What the general evaluation keeps from step to step to avoid allocating.
+//! Memory that the general evaluation keeps from call to call.
 struct AireboWorkspace {
   rebo2::GeneralWorkspace rebo;
   BondPaths paths;
@@ -24,8 +24,8 @@ struct AireboWorkspace {
 //! \param near rows of own atoms and of copies that are two bonds or more within bond_reach()
 //! \param pairs each pair within reach of E_LJ once, perhaps more, in the row of an own atom
 //! \param forces x, y, z of every atom, copies included; added to, eV/Angstrom
-//! \param shares where energies and virials of single atoms are added to, if wanted: as LAMMPS shares them, a
-//! dihedral's energy a quarter to each atom, a path's virial to all atoms on it
+//! \param shares where energies and virials of single atoms are added, if wanted: shared as in LAMMPS, a quarter of
+//! a dihedral's energy to each atom, a path's virial to all atoms on it
 AireboEnergyParts evaluate_general(const potential::AtomsView& atoms, const potential::NearPairs& near,
                                    const potential::NearPairs& pairs, const AireboModel& model,
                                    AireboWorkspace& workspace, double* forces,

@@ -11,7 +11,7 @@ namespace nanocarbon::airebo {
 //! \brief The bond order b* that two atoms would have if they were bonded where they are, and what its
 //! derivatives need.
 //! \details Stuart et al. 2000, section II C: the bond order of REBO at r_ij = r_min, along the real
-//! direction. A bond that is there already is taken out of the sums, as for b itself. The length r_min
+//! direction. An existing bond between them is left out of the sums, as for b itself. The length r_min
 //! matters only in lambda at hydrogen.
 struct HypotheticalBond {
   rebo2::HalfEdge ij;  //!< of weight w(r), zero where the atoms are not bonded
@@ -22,7 +22,7 @@ struct HypotheticalBond {
   double order() const { return 0.5 * (p_ij.value + p_ji.value) + whole.value(); }
 };
 
-//! What is kept between a bond's evaluation and its derivatives.
+//! What a bond's derivatives need from its evaluation.
 struct HypotheticalBondScratch {
   std::vector<rebo2::AngleTerm> angles_i;
   std::vector<rebo2::AngleTerm> angles_j;
@@ -33,7 +33,7 @@ rebo2::HalfEdge half_edge(const potential::AtomsView& atoms, std::uint32_t from,
                           const rebo2::Rebo2Parameters& parameters);
 
 //! \param ij from half_edge()
-//! \pre the bonds of both atoms and of their neighbours are there
+//! \pre the bonds of both atoms and of their neighbours have been found
 HypotheticalBond evaluate_hypothetical_bond(rebo2::HalfEdges& edges, std::uint32_t i,
                                             const rebo2::HalfEdge& ij, const rebo2::Model& model,
                                             HypotheticalBondScratch& scratch);

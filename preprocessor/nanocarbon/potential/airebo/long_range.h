@@ -12,7 +12,7 @@ namespace nanocarbon::airebo {
 //! \brief A part of E_LJ of one pair: share (c - w) V(r) slw(r) [d - S_r (1 - S_b)].
 //! \details All of it is C_ij V slw [1 - S_r (1 - S_b)] (Stuart et al. 2000, equations 7 to 13), where S_r
 //! switches over r, S_b over the hypothetical bond order b*, and C_ij = 1 - w, with w the weight of the best
-//! path: that is c = d = 1. Other c and d give what is missing from a sum that took C_ij or S_b for known.
+//! path: that is c = d = 1. Other values of c and d give what is missing from a sum that assumed C_ij or S_b.
 struct LongRangeTerm {
   std::uint32_t i;
   std::uint32_t j;

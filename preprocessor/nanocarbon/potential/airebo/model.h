@@ -6,7 +6,7 @@
 
 namespace nanocarbon::airebo {
 
-//! What evaluating a term needs besides the atoms.
+//! What the evaluation of a term needs besides the atoms.
 struct AireboModel {
   AireboModel(const AireboParameters& p, const AireboTerms& t)
       : parameters(p),
@@ -25,14 +25,14 @@ struct AireboModel {
 //! The longest bond, fractional ones included, Angstrom.
 double longest_bond(const AireboParameters& parameters);
 
-//! Up to where b* may matter for some pair, Angstrom.
+//! The largest distance at which b* may matter for some pair, Angstrom.
 double longest_hypothetical_bond(const AireboParameters& parameters);
 
 //! \brief How far from an own atom bonds matter, Angstrom.
-//! \details Along paths of three bonds, and at the far end of a pair whose b* matters two bonds more.
+//! \details Along paths of three bonds, and up to two bonds beyond the far end of a pair whose b* matters.
 double bond_reach(const AireboParameters& parameters);
 
-//! Up to where E_LJ reaches for some pair, Angstrom; 0 without it.
+//! The largest distance at which E_LJ acts on some pair, Angstrom; 0 without it.
 double long_range_reach(const AireboModel& model);
 
 }  // namespace nanocarbon::airebo

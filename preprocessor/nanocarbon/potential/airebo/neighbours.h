@@ -9,8 +9,8 @@
 
 namespace nanocarbon::airebo {
 
-//! \brief The atoms of a molecule or crystal and the images that they feel.
-//! \details Own atoms are taken into the cell, each as the first site of its number; images follow.
+//! \brief The atoms of a molecule or crystal and the images that act on them.
+//! \details Own atoms are moved into the cell, in their order; images follow.
 struct Sites {
   std::uint32_t own = 0;
   std::vector<potential::PeriodicCopy> sites;
@@ -19,8 +19,8 @@ struct Sites {
   bool is_copy(std::uint32_t site) const { return site >= own; }
 };
 
-//! \param cell nullptr for no periodicity; may be as small as one atom
-//! \param reach every image at most this far from the cell is among them, Angstrom
+//! \param cell nullptr for no periodicity; may hold a single atom
+//! \param reach every image within this distance of the cell is included, Angstrom
 Sites find_sites(std::span<const Vec3> positions, const Cell* cell, double reach);
 
 //! Writes x, y, z of each site.

@@ -15,13 +15,13 @@
 
 namespace nanocarbon::rebo2 {
 
-//! What evaluating a term needs besides the bonds.
+//! What the evaluation of a term needs besides the bonds.
 struct Model {
   explicit Model(const Rebo2Parameters& p, const TorsionBarriers* t = nullptr)
       : parameters(p), tables(p.tables), torsion(t) {}
   const Rebo2Parameters& parameters;
   const CoordinationTables& tables;
-  const TorsionBarriers* torsion;  //!< of AIREBO's torsion energy, if that is wanted
+  const TorsionBarriers* torsion;  //!< of AIREBO's torsion energy; nullptr if not wanted
 };
 
 //! An angle at a bond's end, kept between the two passes over a centre's neighbours.
@@ -31,17 +31,17 @@ struct AngleTerm {
   AngularValue g;
 };
 
-//! p_ij of one bond at one end, and what its derivatives need; the angles are kept beside it.
+//! p_ij of a bond at one end, and what its derivatives need; the angles are kept separately.
 struct HalfBondOrder {
   double value;
-  double sum_by_coordination;          //!< of the sum over angles, through g
+  double sum_by_coordination;          //!< derivative of the sum over angles, through g
   std::array<double, 2> spline_slope;  //!< of P by N^C and N^H
 };
 
 //! \brief p_ij = [1 + sum_k w_ik g(cos theta_jik, N_ij) e^lambda + P_ij]^(-1/2) (Brenner et al. 2002,
 //! equation 7).
-//! \param bonds those of the centre; one to the same atom as ij is left out
-//! \param ij one of them, or a hypothetical one with the weight that the centre's sums hold of it
+//! \param bonds of the centre; the one to the same atom as ij is left out
+//! \param ij one of them, or a hypothetical bond; its weight is what it contributes to the centre's sums
 //! \param length of ij in lambda, Angstrom
 HalfBondOrder half_bond_order(std::span<const HalfEdge> bonds, const Centre& centre, const HalfEdge& ij,
                               double length, const Model& model, std::vector<AngleTerm>& angles);

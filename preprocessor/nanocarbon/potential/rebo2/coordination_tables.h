@@ -20,7 +20,7 @@ struct TricubicValue {
 };
 
 //! \brief A bicubic spline over whole coordination numbers 0..4 that is flat at every knot.
-//! \details So are P_CC and P_CH: between knots the value blends by 3t^2 - 2t^3 in each direction.
+//! \details P_CC and P_CH are of this kind: between knots the value blends as 3t^2 - 2t^3 in each direction.
 class BicubicTable {
  public:
   using Knots = std::array<std::array<double, 5>, 5>;
@@ -40,7 +40,7 @@ class TricubicTable {
     double value = 0.0;
     std::array<double, 3> slope = {0.0, 0.0, 0.0};
   };
-  //! Knot at whole coordination numbers, for filling in.
+  //! The knot at whole coordination numbers, to be filled in.
   Knot& at(int n_ij, int n_ji, int n_conj) { return knots_[n_ij][n_ji][n_conj - 1]; }
   const Knot& at(int n_ij, int n_ji, int n_conj) const { return knots_[n_ij][n_ji][n_conj - 1]; }
   //! Arguments outside the table are moved to its nearest end.
@@ -66,7 +66,7 @@ struct CoordinationTables {
   }
 };
 
-//! \brief Those of REBO2, as LAMMPS's `pair_style rebo` has them built in.
+//! \brief The tables of REBO2 that are built into LAMMPS's `pair_style rebo`.
 //! \details Tables 3, 5, 7, 8 and 9 of Brenner et al. 2002 with the later corrections that LAMMPS carries: in
 //! F_CC the entries (0,0..3,k) and a derivative at (1,3,2), all of F_CH, and T(2,2,k) for every k from 2 on.
 const CoordinationTables& rebo2_tables();

@@ -3,7 +3,7 @@
 
 namespace nanocarbon::rebo2 {
 
-//! The energy of bonds, taken apart, eV. b = (p_ij + p_ji)/2 + pi_RC + T S.
+//! The parts of the energy of bonds, eV. b = (p_ij + p_ji)/2 + pi_RC + T S.
 struct EnergyParts {
   double repulsive = 0.0;    //!< sum of w V_R
   double sigma_pi = 0.0;     //!< sum of w V_A (p_ij + p_ji)/2

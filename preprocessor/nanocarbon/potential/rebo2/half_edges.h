@@ -25,7 +25,7 @@ struct HalfEdge {
 
   double by_length = 0.0;            //!< dE/d length at fixed weight, eV/Angstrom
   double by_weight = 0.0;            //!< dE/d weight, eV
-  Vec3 by_direction = Vec3::Zero();  //!< dE/d direction, eV; its part along the direction is without meaning
+  Vec3 by_direction = Vec3::Zero();  //!< dE/d direction, eV; its component along the direction has no meaning
 };
 
 //! An atom and its bonds: a range of the half-edges.
@@ -39,33 +39,33 @@ struct Centre {
   double coordination() const { return carbons + hydrogens; }
 };
 
-//! Minus the force on the half-edge's far end (and the force on its centre) that some derivatives amount to.
+//! The force on the centre that a half-edge's derivatives amount to, and minus that on its far end.
 inline Vec3 half_edge_pull(const HalfEdge& edge, double by_length, const Vec3& by_direction) {
   return by_length * edge.direction +
          (by_direction - by_direction.dot(edge.direction) * edge.direction) / edge.length;
 }
 
-//! The bonds of some of the atoms, found among their near pairs. Reused from step to step without allocating.
+//! The bonds of some of the atoms, found among their near pairs. Keeps its memory from call to call.
 class HalfEdges {
  public:
   static constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 
-  //! Forgets all centres and prepares for atoms 0..atoms-1.
+  //! Removes all centres and prepares for atoms 0 to atoms - 1.
   void clear(std::uint32_t atoms);
-  //! Finds the bonds of an atom, unless that is done already. Invalidates spans.
+  //! Finds the bonds of an atom, unless it has been added already. Invalidates spans.
   void add(std::uint32_t atom, const potential::AtomsView& atoms, const potential::NearPairs& near,
            const Rebo2Parameters& parameters);
 
   bool has(std::uint32_t atom) const { return place_[atom] != absent; }
-  //! Bonds of an atom, counted by weight. An atom that was not added is one of the fast evaluation's: it has
-  //! three.
+  //! Number of bonds of an atom, counted by weight. Atoms that were not added are those of the fast evaluation, with
+  //! three bonds.
   double coordination(std::uint32_t atom) const { return has(atom) ? centre(atom).coordination() : 3.0; }
   const Centre& centre(std::uint32_t atom) const { return centres_[place_[atom]]; }
   std::span<HalfEdge> of(const Centre& centre) { return {edges_.data() + centre.first, centre.count}; }
-  //! By its number, which stays good when centres are added: Centre::first plus its place among the bonds.
+  //! A half-edge by its number, Centre::first plus its place among the bonds, which stays valid as centres are added.
   HalfEdge& operator[](std::uint32_t edge) { return edges_[edge]; }
 
-  //! Adds the forces that the derivatives amount to; forces has x, y, z of every atom.
+  //! Adds the forces that follow from the derivatives; forces has x, y, z of every atom.
   void add_forces(double* forces) const;
 
  private:

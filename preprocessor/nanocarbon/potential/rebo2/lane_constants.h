@@ -8,12 +8,12 @@
 
 namespace nanocarbon::rebo2 {
 
-//! \brief The parameters in the layout of the lane loops.
-//! \param torsion AIREBO's torsion energy, if that is wanted
+//! \brief The parameters as the lane loops need them.
+//! \param torsion of AIREBO's torsion energy; nullptr if not wanted
 LaneConstants make_lane_constants(const Rebo2Parameters& parameters,
                                   const std::optional<TorsionBarriers>& torsion);
 
-//! Whether the loops can evaluate these parameters: they take g's second branch for five bonds and more only.
+//! Whether the loops can evaluate these parameters: they use g's second branch only for five bonds or more.
 bool lane_loops_apply(const Rebo2Parameters& parameters);
 
 }  // namespace nanocarbon::rebo2

@@ -15,17 +15,15 @@
 
 namespace nanocarbon::rebo2 {
 
-//! \brief The bond-order energy with the fast loops wherever they apply and the general terms elsewhere, atom
-//! by atom.
-//! \details Both evaluate the same function, so nothing jumps where an atom goes from one to the other. An
-//! atom in the fast case has its angles in the loops whatever its neighbours are. A bond between two such
-//! atoms has its dihedrals there too, unless a coordination that N_conj depends on is fractional; where it is
-//! whole but not three, only the bond's constants differ. AIREBO's torsion energy of a bond goes with its
-//! dihedrals.
+//! \brief The bond-order energy, atom by atom with the fast loops where they apply and the general terms elsewhere.
+//! \details Both evaluate the same function, so there is no jump when an atom changes from one to the other. The
+//! angles of an atom in the fast case are evaluated by the loops whatever its neighbours are. So are the dihedrals of
+//! a bond between two such atoms, unless a coordination that N_conj depends on is fractional; if it is whole but not
+//! three, only the bond's constants differ. AIREBO's torsion energy of a bond is evaluated with its dihedrals.
 //!
-//! Where more than a few atoms were outside the fast case when lists were made, everything is left to
-//! LaneEvaluation. Of bonds between own atoms and copies it takes half of all terms, while the fast loops take
-//! those of the own atom: processes that share a system make that choice together (choose()).
+//! If more than a few atoms were outside the fast case when the lists were made, everything is left to
+//! LaneEvaluation. For bonds between own atoms and copies it evaluates half of all terms, while the fast loops
+//! evaluate those of the own atom: processes that share a system must make this choice together (choose()).
 class MixedEvaluation {
  public:
   //! \param torsion adds AIREBO's torsion energy
@@ -35,25 +33,25 @@ class MixedEvaluation {
   //! To be called whenever the atoms, their elements or the near pairs have changed.
   void near_changed() { lists_are_good_ = false; }
 
-  //! \brief Arguments and result as of evaluate_general(), with the torsion energy if there is one.
+  //! \brief Arguments and result as for evaluate_general(), with the torsion energy if there is one.
   //! \details Virials of single atoms are shared out term by term, so they come from the general terms alone;
   //! so do energies of single atoms with a torsion energy.
   EnergyParts evaluate(const potential::AtomsView& atoms, const potential::NearPairs& near, double* forces,
                        const potential::AtomShares& shares, bool general_only = false);
 
-  //! Own atoms that are outside the fast case as the near pairs stand.
+  //! Number of own atoms outside the fast case, by the present near pairs.
   std::size_t outside_fast_case(const potential::AtomsView& atoms, const potential::NearPairs& near) const;
-  //! Whether the lane loops take less time for everything with so many of the own atoms outside.
+  //! Whether the lane loops are faster for everything if this many of the own atoms are outside.
   static bool lanes_pay(std::size_t outside, std::size_t own);
-  //! Sets whether the lane loops are taken for everything, which evaluate() decides by its own atoms otherwise.
+  //! Sets whether the lane loops evaluate everything; otherwise evaluate() decides this by its own atoms.
   void choose(bool lanes) {
     if (chosen_ != lanes) lists_are_good_ = false;
     chosen_ = lanes;
   }
 
-  //! Whether the last evaluation took the lane loops for everything.
+  //! Whether the lane loops did everything in the last evaluation.
   bool uses_lanes() const { return use_lanes_; }
-  //! Own atoms that the last evaluation left to the general terms.
+  //! Number of own atoms that the last evaluation left to the general terms.
   std::size_t general_atoms() const { return general_own_; }
   //! Bytes held by the arrays that grow with the atoms.
   std::size_t memory() const;

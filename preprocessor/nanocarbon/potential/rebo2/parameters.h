@@ -8,7 +8,7 @@
 
 namespace nanocarbon::rebo2 {
 
-//! Where a pair's parameters stand: 0 for C-C, 1 for C-H, 2 for H-H.
+//! The index of a pair's parameters: 0 for C-C, 1 for C-H, 2 for H-H.
 constexpr std::size_t pair_index(Element a, Element b) {
   return static_cast<std::size_t>(a) + static_cast<std::size_t>(b);
 }
@@ -37,8 +37,8 @@ using Quintic = std::array<double, 6>;
 //! The angular function at a carbon: knots, and a branch for few and for many neighbours.
 struct CarbonAngles {
   std::array<double, 5> knots;  //!< in cos(theta)
-  std::array<Quintic, 4> many;  //!< G_C, used where the coordination is from many_begin on
-  std::array<Quintic, 4> few;   //!< gamma_C, used where it is up to few_end
+  std::array<Quintic, 4> many;  //!< G_C, used if the coordination is many_begin or more
+  std::array<Quintic, 4> few;   //!< gamma_C, used if it is few_end or less
   double few_end;               //!< coordination without the bond's other end
   double many_begin;
 };
@@ -60,10 +60,10 @@ struct Rebo2Parameters {
   double conjugation_end;               //!< with more they are saturated (F = 0)
   CarbonAngles carbon;
   HydrogenAngles hydrogen;
-  CoordinationTables tables;  //!< no file sets these
+  CoordinationTables tables;  //!< not set by any file
 };
 
-//! Energy of an atom of a flat, relaxed sheet of graphene (bonds of 1.42040 Angstrom), eV.
+//! Energy per atom of a flat, relaxed sheet of graphene (bonds of 1.42040 Angstrom), eV.
 inline constexpr double graphene_energy = -7.3949972517;
 
 //! The published parameters.

@@ -10,16 +10,15 @@
 
 namespace nanocarbon::rebo2 {
 
-//! Hands out the numbers of a potential file in the format of LAMMPS's CH.rebo in order, and knows where it
-//! is.
+//! Reads the numbers of a potential file in the format of LAMMPS's CH.rebo in order, keeping the place for messages.
 class PotentialFile {
  public:
   //! \throw UserError (unreadable)
   explicit PotentialFile(const std::filesystem::path& path);
 
   //! \brief Checks the second line, which names the model after a '#'.
-  //! \param example a file that has it, for the message
-  //! \throw UserError (malformed), as of the next two
+  //! \param example name of such a file, for the message
+  //! \throw UserError (malformed), as do the next two
   void require_header(const std::string& model, const char* example);
   //! The first number of the next line that has one; the rest of the line names it.
   double labelled(const char* name);
@@ -39,9 +38,9 @@ class PotentialFile {
   std::size_t line_ = 0;
 };
 
-//! Reads what the files of REBO2 and AIREBO begin with: the two-body parameters and the switches.
+//! Reads the beginning of the files of REBO2 and AIREBO: the two-body parameters and the switches.
 void read_bond_parameters(PotentialFile& file, Rebo2Parameters& parameters);
-//! Reads what follows the labelled numbers in both: the angular splines.
+//! Reads what follows in both, the angular splines.
 void read_angular_splines(PotentialFile& file, Rebo2Parameters& parameters);
 
 }  // namespace nanocarbon::rebo2

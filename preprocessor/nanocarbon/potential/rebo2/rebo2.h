@@ -21,14 +21,13 @@ struct Rebo2Result : potential::Evaluation {
 };
 
 //! \brief REBO2 for carbon and hydrogen.
-//! \details Brenner et al. 2002 as LAMMPS's `pair_style rebo` evaluates it. Made to be called again and
-//! again: lists and arrays are kept, and near pairs are looked for anew only after an atom has moved by half
-//! the skin.
+//! \details Brenner et al. 2002 as LAMMPS's `pair_style rebo` evaluates it. Made for repeated calls: lists
+//! and arrays are kept, and near pairs are searched for again only after an atom has moved by half the skin.
 class Rebo2 final : public potential::Potential {
  public:
   //! \param instructions of the fast evaluation: "generic", "avx2" or "avx512"; empty for the best that runs
   //! here
-  //! \throw UserError (usage) where this processor or build does not have them
+  //! \throw UserError (usage) if this processor or build does not have them
   explicit Rebo2(const Rebo2Parameters& parameters = rebo2_parameters(), std::string_view instructions = {});
   ~Rebo2() override;
   Rebo2(Rebo2&&) noexcept;
@@ -42,9 +41,9 @@ class Rebo2 final : public potential::Potential {
   const BondCutoffs& bond_cutoffs() const override;
   double graphene_energy() const override { return rebo2::graphene_energy; }
 
-  //! Atoms that the last evaluation left to the general terms; all of them where it was asked for no others.
+  //! Number of atoms that the last evaluation left to the general terms; all of them if only those were asked for.
   std::size_t general_atoms() const;
-  //! How often near pairs were looked for so far.
+  //! How often near pairs have been searched for.
   std::size_t list_builds() const;
 
  private:

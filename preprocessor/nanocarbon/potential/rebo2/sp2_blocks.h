@@ -11,11 +11,11 @@
 
 namespace nanocarbon::rebo2 {
 
-//! \brief Which atoms the fast loops may take, and their bonds in the loops' layout; good until the near
-//! pairs change.
+//! \brief Which atoms the fast loops may evaluate, and their bonds in the loops' layout; valid until the near pairs
+//! change.
 //! \details A carbon whose three nearest atoms are carbons, none of them bonded to each other, is a
-//! candidate. Whether it is in the fast case is found out at each evaluation: the loops report bonds too long
-//! or too short and angles too straight, and every other near pair of a candidate is watched.
+//! candidate. Whether it is in the fast case is determined at each evaluation: the loops report bonds that are too
+//! long or too short and angles that are too straight, and every other near pair of a candidate is watched.
 struct Sp2Blocks {
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 

@@ -21,8 +21,7 @@ struct Sp2BondConstants {
 };
 Sp2BondConstants sp2_bond_constants(const CoordinationTables& tables, double n_conj = 9.0);
 
-//! Whether these parameters are such that whole bonds between three neighbours give whole coordination
-//! numbers.
+//! Whether, with these parameters, whole bonds to three neighbours give whole coordination numbers.
 bool sp2_case_applies(const Rebo2Parameters& parameters);
 
 }  // namespace nanocarbon::rebo2

@@ -49,7 +49,7 @@ void check(const TriangleMesh& surface) {
   for (std::size_t v = 0; v < surface.points.size(); ++v)
     if (!surface.points[v].allFinite())
       throw UserError(Failure::unsuitable,
-                      fmt::format("vertex {} is not at a finite place: mend the mesh", v));
+                      fmt::format("vertex {} does not have finite coordinates: repair the mesh", v));
 }
 
 //! The surface, with enough vertices to begin with.

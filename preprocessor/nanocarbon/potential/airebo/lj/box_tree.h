@@ -15,7 +15,7 @@ struct Box {
 };
 
 //! \brief Boxes over boxes: finds those near a given one.
-//! \details Quick where boxes with near numbers are near in space.
+//! \details Fast if boxes with close numbers are close in space.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes);

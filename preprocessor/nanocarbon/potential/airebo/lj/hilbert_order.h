@@ -9,7 +9,7 @@
 
 namespace nanocarbon::airebo {
 
-//! \brief The points' indices in the order in which a Hilbert curve visits them: close ones in a row are
+//! \brief The points' indices in the order in which a Hilbert curve visits them: points next to each other in it are
 //! close in space.
 //! \details Skilling, AIP Conf. Proc. 707, 381 (2004), 21 bits each way. Points at the same place keep their
 //! order. Points that are not finite come first.

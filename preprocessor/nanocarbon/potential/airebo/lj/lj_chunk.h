@@ -11,9 +11,9 @@
 
 namespace nanocarbon::airebo {
 
-//! \brief A fixed share of the rows, with clusters of its own for all atoms that they name.
-//! \details Chunks have nothing in common, so they can be evaluated side by side, and their sums do not
-//! depend on who does it. The list holds all pairs that may come within reach for as long as it is kept; the
+//! \brief A fixed part of the rows, with its own clusters for all atoms that occur in them.
+//! \details Chunks share no data, so they can be evaluated in parallel, and their sums do not depend on which thread
+//! does it. The list holds all pairs that may come within reach for as long as it is kept; the
 //! rows that are evaluated are those of it that lie within a small margin, searched anew as atoms move.
 struct LjChunk {
   std::vector<LjCluster> clusters;    //!< the last one is in no row

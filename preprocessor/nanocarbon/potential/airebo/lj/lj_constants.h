@@ -6,13 +6,13 @@
 
 namespace nanocarbon::airebo {
 
-//! The parameters as the inner loops need them.
+//! The parameters in the form that the inner loops need.
 LjConstants make_lj_constants(const LjParameters& parameters);
 
 //! Which of the loops belongs to these parameters.
 LjVariant lj_variant(const LjParameters& parameters, bool energy);
 
-//! Fills a search's squared distances: up to a margin (Angstrom) beyond where the sum ends.
+//! Sets a search's squared distances, up to a margin (Angstrom) beyond the end of the sum.
 void set_reach(LjSearch& search, const LjParameters& parameters, double margin);
 
 }  // namespace nanocarbon::airebo

@@ -7,7 +7,7 @@ namespace nanocarbon::airebo {
 
 //! \brief A half list of neighbours as LAMMPS makes it: each pair once, rows of own atoms, neighbours own or
 //! ghosts.
-//! \details Whatever rule says which end has the pair has been applied. Indices are those of the positions.
+//! \details The rule that decides which end has the pair has already been applied. Indices are those of the positions.
 struct LjHalfList {
   std::size_t rows = 0;
   const int* atoms = nullptr;              //!< [row]
@@ -16,8 +16,8 @@ struct LjHalfList {
   int neighbour_mask = ~0;                 //!< the bits of a neighbour that are its index
 };
 
-//! \brief Arranges a half list by clusters. It holds for as long as the half list does: nothing is left out
-//! by distance, and LjLists::margin is infinite.
+//! \brief Arranges a half list by clusters. It is valid as long as the half list is: no pair is left out because of its
+//! distance, and LjLists::margin is infinite.
 //! \param positions x, y, z of all atoms, ghosts included, Angstrom
 //! \param elements of all atoms; only those in the list matter
 //! \param exclusions pairs to leave out, an own atom first; each once or at both ends

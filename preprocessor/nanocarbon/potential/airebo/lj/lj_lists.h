@@ -24,7 +24,7 @@ struct LjLists {
   std::vector<std::array<std::int32_t, 3>> images;  //!< what LjChunk::images refers to
   std::vector<std::uint32_t> offsets;               //!< of each of the caller's atoms in shares, and the end
   std::vector<Share> shares;
-  double margin = 0.0;  //!< the lists hold until atoms have moved by half of it, Angstrom
+  double margin = 0.0;  //!< the lists are valid until an atom has moved by half of it, Angstrom
 };
 
 //! Sites of the sum: atoms or images of atoms, in clusters of four.
@@ -40,7 +40,7 @@ struct LjSites {
            std::span<const Element> elements);
 };
 
-//! Sites that pair with a site but are to be left out; compressed rows, each pair at one end or both.
+//! Pairs of sites to be left out; compressed rows, each pair at one end or at both.
 struct LjExcluded {
   std::vector<std::uint32_t> offsets;
   std::vector<std::uint32_t> sites;

@@ -13,8 +13,8 @@ struct LjOwnListOptions {
 };
 
 //! \brief Finds the pairs of a molecule or a crystal.
-//! \details Atoms are taken into the cell, and images are made of those that are near its borders, only in
-//! half of all directions, since a pair across a border counts once.
+//! \details Atoms are moved into the cell, and images are made of those near its faces, only in half of all
+//! directions, since a pair across a face counts once.
 //! \param positions Angstrom, finite
 //! \param cell nullptr for free space; may be smaller than the reach
 //! \param exclusions images to leave out, for each atom, each pair at one end or both; translations as for

@@ -31,8 +31,8 @@ struct LjWanted {
 
 //! \brief The sum of V(r) slw(r) over all pairs that are not excluded.
 //! \details This is AIREBO's E_LJ as if every pair had C_ij = 1 and S_b = 1. How to use it: make lists, by
-//! one of the two ways; then for each set of positions place(), which says whether the lists still hold, and
-//! evaluate(). Results do not depend on LjSumOptions::parallel, to the last bit.
+//! one of the two ways; then, for each set of positions, place(), which says whether the lists are still valid,
+//! and evaluate(). Results do not depend on LjSumOptions::parallel, to the last bit.
 class LjSum {
  public:
   //! \throw UserError (usage) where this processor or build does not have the instructions
@@ -46,11 +46,11 @@ class LjSum {
   void find_pairs(std::span<const Vec3> positions, std::span<const Element> elements, const Cell* cell,
                   const NeighbourList& exclusions);
 
-  //! \brief Takes new positions of the atoms that the lists were made for.
+  //! \brief Sets new positions of the atoms that the lists were made for.
   //! \param positions x, y, z of each atom, Angstrom
   //! \param cell as for find_pairs(), but it may have changed its shape; nullptr for a half list
-  //! \return whether the lists hold: if not, make them anew and place again
-  //! \details Lists from a half list always hold, as far as this can know.
+  //! \return whether the lists are still valid: if not, make new ones and place again
+  //! \details Lists from a half list are assumed to be valid.
   bool place(const double* positions, const Cell* cell = nullptr);
 
   //! \brief Adds forces (eV/Angstrom) to those of all atoms in the lists, ghosts included.
