@@ -31,6 +31,11 @@ struct Surroundings {
   potential::AtomsView view() const {
     return {positions.data(), elements.data(), near.own, static_cast<std::uint32_t>(elements.size())};
   }
+  //! Other positions, for which the near pairs are good still.
+  void move(const Molecule& m) {
+    potential::place_atoms(m.positions, m.cell ? &*m.cell : nullptr, near, positions);
+  }
+
   potential::NearAtoms near;
   std::vector<double> positions;
   std::vector<Element> elements;
@@ -48,8 +53,12 @@ class LaneEvaluationOf : public testing::TestWithParam<Case> {
   LaneEvaluation lanes_{rebo2_parameters(), *GetParam().kernel->any, torsion_};
 
   std::optional<Evaluated> evaluate(const Surroundings& s) {
-    Evaluated result = {{}, std::vector<double>(s.positions.size()), std::vector<double>(s.elements.size())};
     lanes_.near_changed(s.view(), s.near.pairs);
+    return evaluate_again(s);
+  }
+
+  std::optional<Evaluated> evaluate_again(const Surroundings& s) {
+    Evaluated result = {{}, std::vector<double>(s.positions.size()), std::vector<double>(s.elements.size())};
     const auto energy =
         lanes_.evaluate(s.view(), result.forces.data(), torsion_ ? nullptr : result.atom_energies.data());
     if (!energy) return {};
@@ -70,10 +79,14 @@ class LaneEvaluationOf : public testing::TestWithParam<Case> {
 
   void expect_same(const Molecule& m, const std::string& name) {
     const Surroundings s(m);
-    const auto found = evaluate(s);
+    expect_same(s, evaluate(s), m.size(), name);
+  }
+
+  void expect_same(const Surroundings& s, const std::optional<Evaluated>& found, std::size_t atoms,
+                   const std::string& name) {
     ASSERT_TRUE(found) << name;
     const Evaluated expected = evaluate_by_terms(s);
-    const double scale = 1e-12 * static_cast<double>(m.size());
+    const double scale = 1e-12 * static_cast<double>(atoms);
     EXPECT_NEAR(found->energy.repulsive, expected.energy.repulsive, scale) << name;
     EXPECT_NEAR(found->energy.sigma_pi, expected.energy.sigma_pi, scale) << name;
     EXPECT_NEAR(found->energy.conjugation, expected.energy.conjugation, scale) << name;
@@ -110,6 +123,43 @@ TEST_P(LaneEvaluationOf, ForcesAreTheSlopeOfTheEnergy) {
         EXPECT_NEAR(at_rest->forces[3 * i + d], -slope, 1e-6 * std::max(10.0, std::abs(slope)));
       }
   }
+}
+
+// Bonds are remembered from step to step where all are whole. Atoms move until bonds stretch, break and form.
+TEST_P(LaneEvaluationOf, RemembersBondsUntilTheyChange) {
+  std::size_t steps = 0;
+  for (const test::ComparisonStructure& structure : test::comparison_structures()) {
+    Surroundings s(structure.molecule);
+    lanes_.near_changed(s.view(), s.near.pairs);
+    for (const double amplitude : {0.0, 0.01, 0.02, 0.1, 0.02, 0.18, 0.0, 0.01}) {
+      Molecule moved = structure.molecule;
+      for (std::size_t i = 0; i < moved.size(); ++i)
+        moved.positions[i] +=
+            amplitude * Vec3(std::sin(1.3 * i), std::sin(2.1 * i), std::sin(0.7 * i)) / std::sqrt(3.0);
+      s.move(moved);
+      expect_same(s, evaluate_again(s), moved.size(), structure.name + " at " + std::to_string(amplitude));
+      if (HasFatalFailure()) return;
+      ++steps;
+    }
+  }
+  EXPECT_GT(lanes_.remembered_steps(), steps / 20);
+  EXPECT_LT(lanes_.remembered_steps(), steps);
+}
+
+// Two molecules of hydrogen: where atoms of both come near enough, there is a bond more, though none is long.
+TEST_P(LaneEvaluationOf, FindsABondThatForms) {
+  Molecule m;
+  for (const double x : {0.0, 0.75, 2.5, 3.25}) m.positions.emplace_back(x, 0, 0);
+  m.elements.assign(4, Element::hydrogen);
+  Surroundings s(m);
+  lanes_.near_changed(s.view(), s.near.pairs);
+  for (const double gap : {1.75, 1.74, 1.72, 1.69, 1.5, 1.72}) {
+    m.positions[2].x() = 0.75 + gap;
+    m.positions[3].x() = 1.5 + gap;
+    s.move(m);
+    expect_same(s, evaluate_again(s), m.size(), "gap " + std::to_string(gap));
+  }
+  EXPECT_EQ(lanes_.remembered_steps(), 2u);
 }
 
 //! A carbon with as many others around it, evenly over a sphere of 1.9 Angstrom, in the cut-off window.

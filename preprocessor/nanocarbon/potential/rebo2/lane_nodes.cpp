@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/potential/rebo2/lane_nodes.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace nanocarbon::rebo2 {
+
+using potential::AtomsView;
+using potential::NearPairs;
+
+namespace {
+
+constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
+
+double squared_distance(const double* from, const double* to) {
+  const double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
+  return x * x + y * y + z * z;
+}
+
+}  // namespace
+
+int table_place(double n) {
+  if (n >= 4.0) return 8;
+  if (!(n > 0.0)) return 0;
+  const int below = static_cast<int>(n);
+  return 2 * below + (n != below);
+}
+
+LaneNodes::LaneNodes(const Rebo2Parameters& parameters, const LaneConstants& constants,
+                     const LaneLoops& loops)
+    : constants_(constants), loops_(loops) {
+  for (int pair = 0; pair < 3; ++pair)
+    squared_cutoffs_[pair] = parameters.pairs[pair].cutoff_end * parameters.pairs[pair].cutoff_end;
+}
+
+void LaneNodes::near_changed(const AtomsView& atoms, const NearPairs& near) {
+  near_.offsets = near.offsets;
+  near_.atoms.resize(near.atoms.size());
+  near_hydrogens_.resize(atoms.all);
+  for (std::uint32_t i = 0; i < atoms.all; ++i) {
+    std::uint32_t* to = near_.atoms.data() + near.offsets[i];
+    for (const std::uint32_t j : near.of(i))
+      if (atoms.elements[j] == Element::carbon) *to++ = j;
+    near_hydrogens_[i] = static_cast<std::uint32_t>(to - near_.atoms.data());
+    for (const std::uint32_t j : near.of(i))
+      if (atoms.elements[j] == Element::hydrogen) *to++ = j;
+  }
+  // No more half-edges than near pairs, and a block beyond them.
+  const std::size_t most = near.atoms.size() + lane_block;
+  for (auto* list : {&from_, &to_, &pair_}) list->resize(most);
+  place_.assign(atoms.all, absent);
+  coordination_.resize(atoms.all);
+  whole_place_.resize(atoms.all);
+  nodes_.clear();
+  remembered_ = false;
+}
+
+void LaneNodes::take_positions(const AtomsView& atoms) {
+  elements_ = atoms.elements;
+  positions_.resize(4 * std::size_t{atoms.all});
+  for (std::size_t i = 0; i < atoms.all; ++i)
+    for (int d = 0; d < 3; ++d) positions_[4 * i + d] = atoms.positions[3 * i + d];
+}
+
+bool LaneNodes::add(std::uint32_t atom) {
+  if (place_[atom] != absent) return true;
+  place_[atom] = static_cast<std::uint32_t>(nodes_.size());
+  const double* from = positions_.data() + 4 * std::size_t{atom};
+  const double x = from[0], y = from[1], z = from[2];
+  const auto first = static_cast<std::uint32_t>(edge_count_);
+  std::uint32_t n = first;
+  const std::uint32_t element = static_cast<std::uint32_t>(elements_[atom]);
+  const auto take = [&](std::uint32_t begin, std::uint32_t end, std::uint32_t pair) {
+    const double cutoff = squared_cutoffs_[pair];
+    const std::uint32_t before = n;
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint32_t j = near_.atoms[k];
+      const double* to = positions_.data() + 4 * std::size_t{j};
+      const double a = to[0] - x, b = to[1] - y, c = to[2] - z;
+      to_[n] = j;
+      n += a * a + b * b + c * c < cutoff;
+    }
+    for (std::uint32_t e = before; e < n; ++e) {
+      from_[e] = atom;
+      pair_[e] = pair;
+    }
+  };
+  take(near_.offsets[atom], near_hydrogens_[atom], element);
+  const std::uint32_t hydrogens = n;
+  take(near_hydrogens_[atom], near_.offsets[atom + 1], element + 1);
+  nodes_.push_back({.atom = atom, .first = first, .carbons = hydrogens - first, .hydrogens = n - hydrogens});
+  edge_count_ = n;
+  return n - first <= static_cast<std::uint32_t>(lane_most_bonds);
+}
+
+void LaneNodes::measure_from(std::uint32_t node, std::uint32_t edge) {
+  if (edge_count_ == 0) return;
+  for (std::size_t n = 0; n < lane_block; ++n) {
+    from_[edge_count_ + n] = from_[edge_count_ - 1];
+    to_[edge_count_ + n] = to_[edge_count_ - 1];
+    pair_[edge_count_ + n] = pair_[edge_count_ - 1];
+  }
+  const std::size_t records = 4 * (edge_count_ + lane_block);
+  for (auto* array : {&geometry_, &weights_, &gradient_})
+    if (array->size() < records) array->resize(records + records / 4);
+  loops_.measure(edges(nullptr), edge, edge_count_);
+  for (; node < nodes_.size(); ++node) {
+    const LaneNode& at = nodes_[node];
+    double sum = 0.0;
+    bool whole = true;
+    for (std::uint32_t e = at.first; e < at.end(); ++e) {
+      sum += weight(e);
+      whole &= weight(e) == 1.0 && weight_slope(e) == 0.0;
+    }
+    coordination_[at.atom] = sum;
+    whole_place_[at.atom] = whole ? static_cast<std::int8_t>(table_place(sum - 1.0)) : std::int8_t{-1};
+  }
+}
+
+LaneEdges LaneNodes::edges(double* energies) {
+  return {&constants_,      positions_.data(), from_.data(),     to_.data(), pair_.data(),
+          geometry_.data(), weights_.data(),   gradient_.data(), energies};
+}
+
+bool LaneNodes::find(std::uint32_t own) {
+  for (const LaneNode& node : nodes_) place_[node.atom] = absent;
+  nodes_.clear();
+  edge_count_ = 0;
+  remembered_ = false;
+  bool few = true;
+  for (std::uint32_t i = 0; i < own; ++i) few &= add(i);
+  for (std::size_t e = 0, end = edge_count_; e < end; ++e)
+    if (to_[e] >= own) few &= add(to_[e]);
+  measure_from(0, 0);
+  return few;
+}
+
+bool LaneNodes::remember() {
+  for (const LaneNode& node : nodes_)
+    if (whole_place_[node.atom] < 0) return false;
+  apart_.clear();
+  for (const LaneNode& node : nodes_) {
+    const std::uint32_t i = node.atom;
+    const auto element = static_cast<std::uint32_t>(elements_[i]);
+    for (std::uint32_t k = near_.offsets[i]; k < near_.offsets[i + 1]; ++k) {
+      const std::uint32_t j = near_.atoms[k];
+      if (place_[j] != absent && j < i) continue;  // in its row
+      if (std::find(to_.begin() + node.first, to_.begin() + node.end(), j) == to_.begin() + node.end())
+        apart_.push_back({i, j, element + (k >= near_hydrogens_[i] ? 1u : 0u)});
+    }
+  }
+  remembered_ = true;
+  return true;
+}
+
+bool LaneNodes::same_as_remembered() {
+  if (!remembered_) return false;
+  bool apart = true;
+  for (const Apart& pair : apart_)
+    apart &=
+        squared_distance(positions_.data() + 4 * std::size_t{pair.first},
+                         positions_.data() + 4 * std::size_t{pair.second}) >= squared_cutoffs_[pair.pair];
+  if (!apart) return false;
+  loops_.measure(edges(nullptr), 0, edge_count_);
+  bool whole = true;
+  for (std::uint32_t e = 0; e < edge_count_; ++e) whole &= weight(e) == 1.0 && weight_slope(e) == 0.0;
+  return whole;
+}
+
+std::size_t LaneNodes::memory() const {
+  std::size_t bytes = sizeof(LaneNode) * nodes_.capacity() + sizeof(Apart) * apart_.capacity();
+  for (const auto* list : {&near_.offsets, &near_.atoms, &near_hydrogens_, &place_, &from_, &to_, &pair_})
+    bytes += sizeof(std::uint32_t) * list->capacity();
+  for (const auto* array : {&positions_, &geometry_, &weights_, &gradient_, &coordination_})
+    bytes += sizeof(double) * array->capacity();
+  return bytes;
+}
+
+}  // namespace nanocarbon::rebo2

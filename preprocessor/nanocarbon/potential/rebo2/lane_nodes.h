@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "nanocarbon/potential/near_pairs.h"
+#include "nanocarbon/potential/rebo2/kernels/lane_kernel.h"
+#include "nanocarbon/potential/rebo2/parameters.h"
+
+namespace nanocarbon::rebo2 {
+
+//! An atom whose bonds are known, and the derivatives by its coordination and by its conjugation sum.
+struct LaneNode {
+  std::uint32_t atom;
+  std::uint32_t first;               //!< half-edge
+  std::uint32_t carbons, hydrogens;  //!< how many bonds
+  double conjugation_sum = 0.0;
+  double by_coordination = 0.0;
+  double by_conjugation_sum = 0.0;
+  std::uint32_t end() const { return first + carbons + hydrogens; }
+};
+
+//! Even at a whole number, odd between two; the tables over coordination numbers end at 4.
+int table_place(double n);
+
+//! \brief The bonds of atoms, as half-edges for the lane loops: of own atoms, of atoms bonded to them, and of others
+//! as they are asked for.
+//! \details Where every bond is whole, as in a crystal that is not hot, the bonds can be remembered. As long as no
+//! two other atoms come within a bond's reach and no bond becomes long, they are then only measured again.
+class LaneNodes {
+ public:
+  //! The references must stay.
+  LaneNodes(const Rebo2Parameters& parameters, const LaneConstants& constants, const LaneLoops& loops);
+
+  //! To be called whenever the atoms, their elements or the near pairs have changed.
+  void near_changed(const potential::AtomsView& atoms, const potential::NearPairs& near);
+
+  //! To be called first at each step.
+  void take_positions(const potential::AtomsView& atoms);
+  //! \brief Whether the bonds are those remembered, and all whole. If so they are measured.
+  bool same_as_remembered();
+  //! \brief The nodes of own atoms (node i is atom i) and of those bonded to them; all are measured.
+  //! \return false where an atom has more than lane_most_bonds bonds
+  bool find(std::uint32_t own);
+  //! A node that is not measured yet, unless it is there. Result as of find().
+  bool add(std::uint32_t atom);
+  //! Nodes from this one on, whose half-edges begin with this one.
+  void measure_from(std::uint32_t node, std::uint32_t edge);
+  //! Remembers the bonds if all are whole, which it returns.
+  bool remember();
+
+  std::vector<LaneNode>& nodes() { return nodes_; }
+  LaneNode& of(std::uint32_t atom) { return nodes_[place_[atom]]; }
+  std::uint32_t place(std::uint32_t atom) const { return place_[atom]; }
+  std::size_t edge_count() const { return edge_count_; }
+  std::uint32_t from(std::uint32_t edge) const { return from_[edge]; }
+  std::uint32_t to(std::uint32_t edge) const { return to_[edge]; }
+  std::uint32_t pair(std::uint32_t edge) const { return pair_[edge]; }
+  double weight(std::uint32_t edge) const { return weights_[4 * std::size_t{edge}]; }
+  double weight_slope(std::uint32_t edge) const { return weights_[4 * std::size_t{edge} + 1]; }
+  double coordination(std::uint32_t atom) const { return coordination_[atom]; }
+  //! table_place() of an atom's coordination without a bond, where all of its bonds are whole; else -1.
+  int whole_place(std::uint32_t atom) const { return whole_place_[atom]; }
+  bool is_hydrogen(std::uint32_t atom) const { return elements_[atom] == Element::hydrogen; }
+  //! The half-edge of a node to an atom that it is bonded to.
+  std::uint32_t edge_to(const LaneNode& node, std::uint32_t atom) const {
+    std::uint32_t e = node.first;
+    while (to_[e] != atom) ++e;
+    return e;
+  }
+  //! dE/d direction and dE/d length of half-edges, in fours.
+  std::vector<double>& gradient() { return gradient_; }
+  //! For the loops. \param energies of half-edges, or nullptr
+  LaneEdges edges(double* energies);
+
+  //! Bytes held.
+  std::size_t memory() const;
+
+ private:
+  //! Near each other and not bonded.
+  struct Apart {
+    std::uint32_t first, second, pair;
+  };
+
+  const LaneConstants& constants_;
+  const LaneLoops& loops_;
+  std::array<double, 3> squared_cutoffs_;
+
+  potential::NearPairs near_;                  // each row has carbons first
+  std::vector<std::uint32_t> near_hydrogens_;  // [atom] where its row's hydrogens begin
+  const Element* elements_ = nullptr;
+
+  std::vector<double> positions_;  // [atom][4]
+  std::vector<LaneNode> nodes_;
+  std::vector<std::uint32_t> place_;  // of an atom in nodes_
+  std::size_t edge_count_ = 0;
+  std::vector<std::uint32_t> from_, to_, pair_;
+  std::vector<double> geometry_, weights_, gradient_;
+  std::vector<double> coordination_;      // [atom] of nodes
+  std::vector<std::int8_t> whole_place_;  // [atom]
+  bool remembered_ = false;
+  std::vector<Apart> apart_;
+};
+
+}  // namespace nanocarbon::rebo2
