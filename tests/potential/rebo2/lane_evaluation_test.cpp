@@ -149,17 +149,17 @@ TEST_P(LaneEvaluationOf, RemembersBondsUntilTheyChange) {
 // Two molecules of hydrogen: where atoms of both come near enough, there is a bond more, though none is long.
 TEST_P(LaneEvaluationOf, FindsABondThatForms) {
   Molecule m;
-  for (const double x : {0.0, 0.75, 2.5, 3.25}) m.positions.emplace_back(x, 0, 0);
+  for (const double x : {0.0, 0.75, 2.75, 3.5}) m.positions.emplace_back(x, 0, 0);
   m.elements.assign(4, Element::hydrogen);
   Surroundings s(m);
   lanes_.near_changed(s.view(), s.near.pairs);
-  for (const double gap : {1.75, 1.74, 1.72, 1.69, 1.5, 1.72}) {
+  for (const double gap : {2.0, 1.95, 1.85, 1.75, 1.69, 1.5, 1.72}) {
     m.positions[2].x() = 0.75 + gap;
     m.positions[3].x() = 1.5 + gap;
     s.move(m);
     expect_same(s, evaluate_again(s), m.size(), "gap " + std::to_string(gap));
   }
-  EXPECT_EQ(lanes_.remembered_steps(), 2u);
+  EXPECT_EQ(lanes_.remembered_steps(), 5u);
 }
 
 //! A carbon with as many others around it, evenly over a sphere of 1.9 Angstrom, in the cut-off window.

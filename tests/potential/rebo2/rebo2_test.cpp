@@ -136,5 +136,31 @@ TEST(ParameterFile, SaysWhereItIsWrong) {
   EXPECT_THROW(read_rebo2_parameters("no such file"), UserError);
 }
 
+std::string error_of_parameters(const std::string& text) {
+  const std::string path = testing::TempDir() + "wrong.rebo";
+  std::ofstream(path) << text;
+  try {
+    read_rebo2_parameters(path);
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(ParameterFile, TakesFiniteNumbersOnly) {
+  for (const std::string word : {"nan", "inf", "-inf", "1e999", "0x10", "1,5", "--1"})
+    EXPECT_THAT(error_of_parameters("# DATE\n# REBO2 Brenner\n1.7 rcmin_CC\n" + word + " rcmin_CH\n"),
+                testing::HasSubstr("line 4: expected a number (rcmin), found '" + word + "'"));
+}
+
+// Counts that no whole number holds, too.
+TEST(ParameterFile, SaysHowManyKnotsItFound) {
+  std::string labelled = "# DATE\n# REBO2 Brenner\n";
+  for (int n = 0; n < 65; ++n) labelled += "1 name\n";
+  for (const std::string count : {"4", "5.5", "-1", "1e300"})
+    EXPECT_THAT(error_of_parameters(labelled + count + "\n"),
+                testing::HasSubstr("line 68: gC: expected 5 knots, found " + count));
+}
+
 }  // namespace
 }  // namespace nanocarbon::rebo2

@@ -36,6 +36,7 @@ class LaneBondBatches {
   LaneBondBatches();
 
   void clear();
+  bool empty() const { return used_.empty(); }
   void add(const LaneBondTerms& bond);
   //! Keeps the numbers as they are now,
   void keep_numbers();

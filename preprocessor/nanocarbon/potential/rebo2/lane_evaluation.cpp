@@ -51,7 +51,7 @@ void LaneEvaluation::sort_centres(std::uint32_t own) {
     const LaneNode& node = nodes_.nodes()[i];
     if (node.carbons + node.hydrogens == 0) continue;
     const bool hydrogen = nodes_.is_hydrogen(i);
-    const bool whole = nodes_.whole_place(i) >= 0;
+    const bool whole = nodes_.is_steady(i);
     const std::uint32_t key = ((2u * hydrogen + whole) * counts + node.carbons) * counts + node.hydrogens;
     CentreBatch& batch = centre_batches_[key];
     if (batch.first.empty()) {
@@ -87,19 +87,23 @@ void LaneEvaluation::find_conjugation(LaneNode& node) {
   node.conjugation_sum = sum;
 }
 
-void LaneEvaluation::add_bond(std::uint32_t edge, const LaneNode& i, const LaneNode& j, bool dihedrals,
-                              double share) {
+void LaneEvaluation::add_bond(const Selected& selected, std::uint32_t own, LaneBondBatches& to) {
+  const std::uint32_t edge = selected.edge;
+  LaneNode& i = nodes_.of(nodes_.from(edge));
+  LaneNode& j = nodes_.of(nodes_.to(edge));
+  find_conjugation(i);
+  find_conjugation(j);
   std::array<std::uint32_t, std::size_t{2} * lane_most_bonds> arms;
   LaneBondTerms bond = {.edge = edge,
                         .reverse = nodes_.edge_to(j, i.atom),
                         .pair = nodes_.pair(edge),
-                        .dihedrals = dihedrals,
+                        .dihedrals = selected.dihedrals,
                         .triangles = false,
                         .arms_i = i.end() - i.first - 1,
                         .arms_j = j.end() - j.first - 1,
                         .arms = {},
                         .numbers = {}};
-  if (dihedrals) {
+  if (selected.dihedrals) {
     std::uint32_t* arm = arms.data();
     for (std::uint32_t e = i.first; e < i.end(); ++e)
       if (e != edge) *arm++ = e;
@@ -116,75 +120,102 @@ void LaneEvaluation::add_bond(std::uint32_t edge, const LaneNode& i, const LaneN
   bond.numbers[lane_n_j] = nodes_.coordination(j.atom) - weight;
   bond.numbers[lane_sum_i] = i.conjugation_sum - unsaturated(edge);
   bond.numbers[lane_sum_j] = j.conjugation_sum - unsaturated(bond.reverse);
-  bond.numbers[lane_share] = share;
-  bond_batches_.add(bond);
+  bond.numbers[lane_share] = j.atom < own ? 1.0 : 0.5;
+  to.add(bond);
 }
 
-bool LaneEvaluation::select_bonds(std::uint32_t own) {
-  bond_batches_.clear();
+bool LaneEvaluation::has_steady_neighbours(const LaneNode& node) const {
+  bool steady = true;
+  for (std::uint32_t e = node.first; e < node.end(); ++e) steady &= nodes_.is_steady(nodes_.to(e));
+  return steady;
+}
+
+// Which bonds have terms as a whole, and which may come to have them; false as of evaluate().
+bool LaneEvaluation::find_terms(std::uint32_t own) {
+  steady_batches_.clear();
   selected_.clear();
+  restless_bonds_.clear();
   for (std::uint32_t i = 0; i < own; ++i) {
     const LaneNode& node = nodes_.nodes()[i];
-    const int whole_i = nodes_.whole_place(i);
     for (std::uint32_t e = node.first; e < node.end(); ++e) {
       const std::uint32_t j = nodes_.to(e);
       if (j < i) continue;
-      int at_i = whole_i, at_j = nodes_.whole_place(j);
-      if ((at_i | at_j) < 0) {
-        const double weight = nodes_.weight(e);
-        if (weight <= negligible) continue;
-        at_i = table_place(nodes_.coordination(i) - weight);
-        at_j = table_place(nodes_.coordination(j) - weight);
+      if (!nodes_.is_steady(i) || !nodes_.is_steady(j)) {
+        restless_bonds_.push_back(e);
+        continue;
       }
+      const int at_i = nodes_.whole_place(i), at_j = nodes_.whole_place(j);
       const std::uint32_t pair = nodes_.pair(e);
       if (has_terms_[pair][at_i][at_j]) selected_.push_back({e, pair == 0 && has_dihedrals_[at_i][at_j]});
     }
   }
-  if (selected_.empty()) return true;
   // N_conj needs the coordination of all neighbours of both ends.
   const auto known = static_cast<std::uint32_t>(nodes_.nodes().size());
   const auto measured = static_cast<std::uint32_t>(nodes_.edge_count());
   bool few = true;
-  for (const Selected& bond : selected_) {
-    const std::uint32_t j = nodes_.to(bond.edge);
-    if (j < own) continue;
+  const auto add_neighbours = [&](std::uint32_t edge) {
+    const std::uint32_t j = nodes_.to(edge);
+    if (j < own) return;
     const LaneNode at_j = nodes_.of(j);
     for (std::uint32_t e = at_j.first; e < at_j.end(); ++e) few &= nodes_.add(nodes_.to(e));
-  }
-  nodes_.measure_from(known, measured);
+  };
+  for (const Selected& bond : selected_) add_neighbours(bond.edge);
+  for (const std::uint32_t bond : restless_bonds_) add_neighbours(bond);
   if (!few) return false;
+  nodes_.measure_from(known, measured);
   const std::size_t edges = nodes_.edge_count();
   if (conjugation_.size() < edges) conjugation_.resize(edges + edges / 4);
   is_conjugated_.assign(nodes_.nodes().size(), 0);
   for (const Selected& bond : selected_) {
-    LaneNode& i = nodes_.of(nodes_.from(bond.edge));
-    LaneNode& j = nodes_.of(nodes_.to(bond.edge));
-    find_conjugation(i);
-    find_conjugation(j);
-    add_bond(bond.edge, i, j, bond.dihedrals, j.atom < own ? 1.0 : 0.5);
+    if (has_steady_neighbours(nodes_.of(nodes_.from(bond.edge))) &&
+        has_steady_neighbours(nodes_.of(nodes_.to(bond.edge))))
+      add_bond(bond, own, steady_batches_);
+    else
+      restless_bonds_.push_back(bond.edge);
   }
+  steady_batches_.keep_numbers();
   return true;
+}
+
+void LaneEvaluation::select_restless(std::uint32_t own) {
+  restless_batches_.clear();
+  if (restless_bonds_.empty()) return;
+  is_conjugated_.assign(nodes_.nodes().size(), 0);
+  for (const std::uint32_t e : restless_bonds_) {
+    const std::uint32_t i = nodes_.from(e), j = nodes_.to(e);
+    int at_i = nodes_.whole_place(i), at_j = nodes_.whole_place(j);
+    if ((at_i | at_j) < 0) {
+      const double weight = nodes_.weight(e);
+      if (weight <= negligible) continue;
+      at_i = table_place(nodes_.coordination(i) - weight);
+      at_j = table_place(nodes_.coordination(j) - weight);
+    }
+    const std::uint32_t pair = nodes_.pair(e);
+    if (has_terms_[pair][at_i][at_j])
+      add_bond({e, pair == 0 && has_dihedrals_[at_i][at_j]}, own, restless_batches_);
+  }
 }
 
 // Everything that is known of the bonds before the loops run; false as of evaluate().
 bool LaneEvaluation::arrange(std::uint32_t own) {
   if (nodes_.same_as_remembered()) {
     ++remembered_steps_;
-    bond_batches_.restore_numbers();
-    return true;
+    steady_batches_.restore_numbers();
+  } else {
+    if (!nodes_.find(own) || !find_terms(own)) return false;
+    sort_centres(own);
+    nodes_.remember();
   }
-  if (!nodes_.find(own) || !select_bonds(own)) return false;
-  sort_centres(own);
-  all_whole_ = nodes_.remember();
-  if (all_whole_) bond_batches_.keep_numbers();
+  select_restless(own);
   return true;
 }
 
-void LaneEvaluation::differentiate(const LaneNode& node) {
+void LaneEvaluation::differentiate(LaneNode& node) {
   const std::uint32_t place = nodes_.place(node.atom);
   if (is_differentiated_[place]) return;
   is_differentiated_[place] = 1;
   differentiated_.push_back(place);
+  node.by_coordination = node.by_conjugation_sum = 0.0;
   if (is_conjugated_[place]) return;
   is_conjugated_[place] = 1;
   for (std::uint32_t e = node.first; e < node.end(); ++e) conjugation_[e] = {};
@@ -212,7 +243,7 @@ void LaneEvaluation::gather_derivatives(const LaneBondBatch& batch) {
 void LaneEvaluation::add_derivatives_by_weight() {
   is_differentiated_.assign(nodes_.nodes().size(), 0);
   differentiated_.clear();
-  bond_batches_.for_each([&](const LaneBondBatch& batch) { gather_derivatives(batch); });
+  restless_batches_.for_each([&](const LaneBondBatch& batch) { gather_derivatives(batch); });
   // First what N_conj passes on to the neighbours' coordination, then all coordinations.
   for (std::size_t n = 0, ends = differentiated_.size(); n < ends; ++n) {
     const LaneNode node = nodes_.nodes()[differentiated_[n]];
@@ -251,11 +282,13 @@ std::optional<EnergyParts> LaneEvaluation::evaluate(const AtomsView& atoms, doub
   for (const std::uint32_t used : used_centres_)
     loops_.centres(edges, centre_batches_[used].centres, &energy);
   std::size_t pulled = own_edges;
-  if (!selected_.empty()) {
+  if (!steady_batches_.empty() || !restless_batches_.empty()) {
     pulled = nodes_.edge_count();
     std::fill(edges.gradient + 4 * own_edges, edges.gradient + 4 * pulled, 0.0);
-    bond_batches_.for_each([&](const LaneBondBatch& batch) { loops_.bonds(edges, batch.bonds, &energy); });
-    if (!all_whole_) add_derivatives_by_weight();
+    const auto run = [&](const LaneBondBatch& batch) { loops_.bonds(edges, batch.bonds, &energy); };
+    steady_batches_.for_each(run);
+    restless_batches_.for_each(run);
+    add_derivatives_by_weight();
   }
   forces_.assign(4 * std::size_t{atoms.all}, 0.0);
   loops_.pull(edges, pulled, forces_.data());

@@ -15,13 +15,12 @@ namespace nanocarbon::rebo2 {
 
 //! \brief The bond-order energy of any carbon and hydrogen, by the lane loops: what evaluate_general() gives,
 //! up to rounding.
-//! \details Each step finds the bonds anew and sorts atoms by their numbers of bonds to carbon and to
-//! hydrogen. Of bonds as a whole only those are evaluated whose F or T can be other than zero, and that have
+//! \details Atoms are sorted by their numbers of bonds to carbon and to hydrogen. Of bonds as a whole only those are evaluated whose F or T can be other than zero, and that have
 //! dihedrals by their numbers of arms. Derivatives by coordination numbers are gathered by atom, so that
 //! conjugation costs no sum over the neighbours' neighbours of each bond.
 //!
-//! Where every bond is whole, all of that stays as it is until a bond changes (LaneNodes::remember()), and there are
-//! no derivatives by coordination numbers: only the loops remain.
+//! What is found is kept from step to step while the half-edges stay good (LaneNodes). Bonds between steady nodes with
+//! steady neighbours have the same coordination numbers then, whatever moves; the others are selected anew.
 class LaneEvaluation {
  public:
   LaneEvaluation(const Rebo2Parameters& parameters, const LaneLoops& loops,
@@ -63,11 +62,13 @@ class LaneEvaluation {
 
   bool arrange(std::uint32_t own);
   void sort_centres(std::uint32_t own);
-  bool select_bonds(std::uint32_t own);
+  bool find_terms(std::uint32_t own);
+  void select_restless(std::uint32_t own);
+  bool has_steady_neighbours(const LaneNode& node) const;
   void find_conjugation(LaneNode& node);
-  void add_bond(std::uint32_t edge, const LaneNode& i, const LaneNode& j, bool dihedrals, double share);
+  void add_bond(const Selected& bond, std::uint32_t own, LaneBondBatches& to);
   void gather_derivatives(const LaneBondBatch& batch);
-  void differentiate(const LaneNode& node);
+  void differentiate(LaneNode& node);
   void add_derivatives_by_weight();
 
   LaneConstants constants_;
@@ -78,7 +79,6 @@ class LaneEvaluation {
   std::array<std::array<bool, 9>, 9> has_dihedrals_;
 
   LaneNodes nodes_;
-  bool all_whole_ = false;
   std::size_t remembered_steps_ = 0;
   std::vector<double> forces_;                 // [atom][4]
   std::vector<double> energies_;               // [edge]
@@ -87,9 +87,10 @@ class LaneEvaluation {
   std::vector<std::uint32_t> differentiated_;  // nodes with derivatives by their coordination or sum
   std::vector<char> is_differentiated_;        // [node]
   std::vector<Selected> selected_;
+  std::vector<std::uint32_t> restless_bonds_;  // half-edges
   std::vector<CentreBatch> centre_batches_;
   std::vector<std::uint32_t> used_centres_;
-  LaneBondBatches bond_batches_;
+  LaneBondBatches steady_batches_, restless_batches_;
 };
 
 }  // namespace nanocarbon::rebo2

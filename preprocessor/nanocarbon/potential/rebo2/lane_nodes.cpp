@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 
+constexpr double margin = 0.1;         // Angstrom, of half-edges beyond a bond's reach
+constexpr double steady_slack = 0.04;  // Angstrom, of a steady node's bonds to where their switch begins
+
 double squared_distance(const double* from, const double* to) {
   const double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
   return x * x + y * y + z * z;
@@ -30,8 +33,10 @@ int table_place(double n) {
 LaneNodes::LaneNodes(const Rebo2Parameters& parameters, const LaneConstants& constants,
                      const LaneLoops& loops)
     : constants_(constants), loops_(loops) {
-  for (int pair = 0; pair < 3; ++pair)
-    squared_cutoffs_[pair] = parameters.pairs[pair].cutoff_end * parameters.pairs[pair].cutoff_end;
+  for (std::size_t pair = 0; pair < 3; ++pair) {
+    cutoffs_[pair] = parameters.pairs[pair].cutoff_end;
+    longest_steady_[pair] = parameters.pairs[pair].cutoff_begin - steady_slack;
+  }
 }
 
 void LaneNodes::near_changed(const AtomsView& atoms, const NearPairs& near) {
@@ -72,14 +77,14 @@ bool LaneNodes::add(std::uint32_t atom) {
   std::uint32_t n = first;
   const std::uint32_t element = static_cast<std::uint32_t>(elements_[atom]);
   const auto take = [&](std::uint32_t begin, std::uint32_t end, std::uint32_t pair) {
-    const double cutoff = squared_cutoffs_[pair];
+    const double reach = squared_reach_[pair];
     const std::uint32_t before = n;
     for (std::uint32_t k = begin; k < end; ++k) {
       const std::uint32_t j = near_.atoms[k];
       const double* to = positions_.data() + 4 * std::size_t{j};
       const double a = to[0] - x, b = to[1] - y, c = to[2] - z;
       to_[n] = j;
-      n += a * a + b * b + c * c < cutoff;
+      n += a * a + b * b + c * c < reach;
     }
     for (std::uint32_t e = before; e < n; ++e) {
       from_[e] = atom;
@@ -105,17 +110,26 @@ void LaneNodes::measure_from(std::uint32_t node, std::uint32_t edge) {
   for (auto* array : {&geometry_, &weights_, &gradient_})
     if (array->size() < records) array->resize(records + records / 4);
   loops_.measure(edges(nullptr), edge, edge_count_);
+  is_steady_.resize(nodes_.size());
   for (; node < nodes_.size(); ++node) {
     const LaneNode& at = nodes_[node];
-    double sum = 0.0;
-    bool whole = true;
-    for (std::uint32_t e = at.first; e < at.end(); ++e) {
-      sum += weight(e);
-      whole &= weight(e) == 1.0 && weight_slope(e) == 0.0;
-    }
-    coordination_[at.atom] = sum;
-    whole_place_[at.atom] = whole ? static_cast<std::int8_t>(table_place(sum - 1.0)) : std::int8_t{-1};
+    sum_weights(at);
+    bool steady = whole_place_[at.atom] >= 0;
+    for (std::size_t e = at.first; e < at.end(); ++e)
+      steady &= geometry_[4 * e + 3] < longest_steady_[pair_[e]];
+    is_steady_[node] = steady;
   }
+}
+
+void LaneNodes::sum_weights(const LaneNode& node) {
+  double sum = 0.0;
+  bool whole = true;
+  for (std::uint32_t e = node.first; e < node.end(); ++e) {
+    sum += weight(e);
+    whole &= weight(e) == 1.0 && weight_slope(e) == 0.0;
+  }
+  coordination_[node.atom] = sum;
+  whole_place_[node.atom] = whole ? static_cast<std::int8_t>(table_place(sum - 1.0)) : std::int8_t{-1};
 }
 
 LaneEdges LaneNodes::edges(double* energies) {
@@ -123,7 +137,11 @@ LaneEdges LaneNodes::edges(double* energies) {
           geometry_.data(), weights_.data(),   gradient_.data(), energies};
 }
 
-bool LaneNodes::find(std::uint32_t own) {
+bool LaneNodes::find(std::uint32_t own) { return find(own, margin) || find(own, 0.0); }
+
+bool LaneNodes::find(std::uint32_t own, double beyond) {
+  for (std::size_t pair = 0; pair < 3; ++pair)
+    squared_reach_[pair] = (cutoffs_[pair] + beyond) * (cutoffs_[pair] + beyond);
   for (const LaneNode& node : nodes_) place_[node.atom] = absent;
   nodes_.clear();
   edge_count_ = 0;
@@ -132,40 +150,54 @@ bool LaneNodes::find(std::uint32_t own) {
   for (std::uint32_t i = 0; i < own; ++i) few &= add(i);
   for (std::size_t e = 0, end = edge_count_; e < end; ++e)
     if (to_[e] >= own) few &= add(to_[e]);
-  measure_from(0, 0);
+  if (few) measure_from(0, 0);
   return few;
 }
 
-bool LaneNodes::remember() {
-  for (const LaneNode& node : nodes_)
-    if (whole_place_[node.atom] < 0) return false;
+void LaneNodes::remember() {
   apart_.clear();
-  for (const LaneNode& node : nodes_) {
+  steady_edges_.clear();
+  restless_.clear();
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    const LaneNode& node = nodes_[n];
+    if (!is_steady_[n])
+      restless_.push_back(n);
+    else if (!steady_edges_.empty() && steady_edges_.back()[1] == node.first)
+      steady_edges_.back()[1] = node.end();
+    else
+      steady_edges_.push_back({node.first, node.end()});
     const std::uint32_t i = node.atom;
     const auto element = static_cast<std::uint32_t>(elements_[i]);
+    // Half-edges are in the order of the near pairs.
+    std::uint32_t e = node.first;
     for (std::uint32_t k = near_.offsets[i]; k < near_.offsets[i + 1]; ++k) {
       const std::uint32_t j = near_.atoms[k];
-      if (place_[j] != absent && j < i) continue;  // in its row
-      if (std::find(to_.begin() + node.first, to_.begin() + node.end(), j) == to_.begin() + node.end())
+      if (e < node.end() && to_[e] == j) {
+        ++e;
+      } else if (place_[j] == absent || i < j) {  // else it is in the other's row
         apart_.push_back({i, j, element + (k >= near_hydrogens_[i] ? 1u : 0u)});
+      }
     }
   }
   remembered_ = true;
-  return true;
 }
 
 bool LaneNodes::same_as_remembered() {
   if (!remembered_) return false;
+  const std::array<double, 3> squared = {cutoffs_[0] * cutoffs_[0], cutoffs_[1] * cutoffs_[1],
+                                         cutoffs_[2] * cutoffs_[2]};
   bool apart = true;
   for (const Apart& pair : apart_)
-    apart &=
-        squared_distance(positions_.data() + 4 * std::size_t{pair.first},
-                         positions_.data() + 4 * std::size_t{pair.second}) >= squared_cutoffs_[pair.pair];
-  if (!apart) return false;
+    apart &= squared_distance(positions_.data() + 4 * std::size_t{pair.first},
+                              positions_.data() + 4 * std::size_t{pair.second}) >= squared[pair.pair];
+  if (!apart || edge_count_ == 0) return apart;
   loops_.measure(edges(nullptr), 0, edge_count_);
   bool whole = true;
-  for (std::uint32_t e = 0; e < edge_count_; ++e) whole &= weight(e) == 1.0 && weight_slope(e) == 0.0;
-  return whole;
+  for (const auto& [begin, end] : steady_edges_)
+    for (std::uint32_t e = begin; e < end; ++e) whole &= weight(e) == 1.0;
+  if (!whole) return false;
+  for (const std::uint32_t node : restless_) sum_weights(nodes_[node]);
+  return true;
 }
 
 std::size_t LaneNodes::memory() const {

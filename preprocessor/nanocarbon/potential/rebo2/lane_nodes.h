@@ -27,8 +27,9 @@ int table_place(double n);
 
 //! \brief The bonds of atoms, as half-edges for the lane loops: of own atoms, of atoms bonded to them, and of others
 //! as they are asked for.
-//! \details Where every bond is whole, as in a crystal that is not hot, the bonds can be remembered. As long as no
-//! two other atoms come within a bond's reach and no bond becomes long, they are then only measured again.
+//! \details Once found, bonds are remembered: half-edges a little longer than bonds are kept, too, with a weight of
+//! zero, and stay good until two other atoms come within a bond's reach. A node whose bonds are all whole and not
+//! near their switch is steady. The rest are restless: their coordination may change at each step.
 class LaneNodes {
  public:
   //! The references must stay.
@@ -39,17 +40,17 @@ class LaneNodes {
 
   //! To be called first at each step.
   void take_positions(const potential::AtomsView& atoms);
-  //! \brief Whether the bonds are those remembered, and all whole. If so they are measured.
+  //! \brief Whether the half-edges are good still, and steady nodes' bonds whole. If so they are measured.
   bool same_as_remembered();
   //! \brief The nodes of own atoms (node i is atom i) and of those bonded to them; all are measured.
   //! \return false where an atom has more than lane_most_bonds bonds
   bool find(std::uint32_t own);
   //! A node that is not measured yet, unless it is there. Result as of find().
   bool add(std::uint32_t atom);
-  //! Nodes from this one on, whose half-edges begin with this one.
+  //! Nodes from this one on, whose half-edges begin with this one. Finds which of them are steady.
   void measure_from(std::uint32_t node, std::uint32_t edge);
-  //! Remembers the bonds if all are whole, which it returns.
-  bool remember();
+  //! To be called when no more nodes are added.
+  void remember();
 
   std::vector<LaneNode>& nodes() { return nodes_; }
   LaneNode& of(std::uint32_t atom) { return nodes_[place_[atom]]; }
@@ -64,6 +65,7 @@ class LaneNodes {
   //! table_place() of an atom's coordination without a bond, where all of its bonds are whole; else -1.
   int whole_place(std::uint32_t atom) const { return whole_place_[atom]; }
   bool is_hydrogen(std::uint32_t atom) const { return elements_[atom] == Element::hydrogen; }
+  bool is_steady(std::uint32_t atom) const { return is_steady_[place_[atom]]; }
   //! The half-edge of a node to an atom that it is bonded to.
   std::uint32_t edge_to(const LaneNode& node, std::uint32_t atom) const {
     std::uint32_t e = node.first;
@@ -79,14 +81,17 @@ class LaneNodes {
   std::size_t memory() const;
 
  private:
-  //! Near each other and not bonded.
+  bool find(std::uint32_t own, double beyond);
+  void sum_weights(const LaneNode& node);
+
+  //! Near each other without a half-edge.
   struct Apart {
     std::uint32_t first, second, pair;
   };
 
   const LaneConstants& constants_;
   const LaneLoops& loops_;
-  std::array<double, 3> squared_cutoffs_;
+  std::array<double, 3> cutoffs_, squared_reach_, longest_steady_;
 
   potential::NearPairs near_;                  // each row has carbons first
   std::vector<std::uint32_t> near_hydrogens_;  // [atom] where its row's hydrogens begin
@@ -100,7 +105,10 @@ class LaneNodes {
   std::vector<double> geometry_, weights_, gradient_;
   std::vector<double> coordination_;      // [atom] of nodes
   std::vector<std::int8_t> whole_place_;  // [atom]
+  std::vector<char> is_steady_;           // [node]
   bool remembered_ = false;
+  std::vector<std::array<std::uint32_t, 2>> steady_edges_;  // ranges
+  std::vector<std::uint32_t> restless_;                     // nodes
   std::vector<Apart> apart_;
 };
 

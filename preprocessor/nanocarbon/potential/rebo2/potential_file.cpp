@@ -2,6 +2,7 @@
 #include "nanocarbon/potential/rebo2/potential_file.h"
 
 #include <charconv>
+#include <cmath>
 
 #include "nanocarbon/core/error.h"
 
@@ -11,10 +12,8 @@ namespace {
 
 template <std::size_t knots>
 void read_knots(PotentialFile& file, std::array<double, knots>& to, const char* name) {
-  const double count = file.plain(name);
-  if (count != knots)
-    file.fail(std::string(name) + ": expected " + std::to_string(knots) + " knots, found " +
-              std::to_string(static_cast<long>(count)));
+  if (file.plain(name) != knots)
+    file.fail(std::string(name) + ": expected " + std::to_string(knots) + " knots, found " + file.word());
   for (double& knot : to) knot = file.plain(name);
 }
 
@@ -73,12 +72,13 @@ void PotentialFile::next_line(const char* name) {
 }
 
 double PotentialFile::number(const char* name) {
-  std::string word;
-  words_ >> word;
+  word_.clear();
+  words_ >> word_;
   double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size())
-    fail("expected a number (" + std::string(name) + "), found '" + word + "'");
+  const auto [end, error] = std::from_chars(word_.data(), word_.data() + word_.size(), value);
+  // inf and nan are numbers to from_chars.
+  if (error != std::errc() || end != word_.data() + word_.size() || !std::isfinite(value))
+    fail("expected a number (" + std::string(name) + "), found '" + word_ + "'");
   return value;
 }
 

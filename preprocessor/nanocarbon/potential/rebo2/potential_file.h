@@ -20,10 +20,12 @@ class PotentialFile {
   //! \param example name of such a file, for the message
   //! \throw UserError (malformed), as do the next two
   void require_header(const std::string& model, const char* example);
-  //! The first number of the next line that has one; the rest of the line names it.
+  //! The first number of the next line that has one, finite; the rest of the line names it.
   double labelled(const char* name);
   //! The next number, be it on this line or a later one.
   double plain(const char* name);
+  //! The last number as it stands in the file.
+  const std::string& word() const { return word_; }
 
   //! \throw UserError (malformed) that names the file and the line
   [[noreturn]] void fail(const std::string& what) const;
@@ -35,6 +37,7 @@ class PotentialFile {
   std::filesystem::path path_;
   std::ifstream file_;
   std::istringstream words_;
+  std::string word_;
   std::size_t line_ = 0;
 };
 
