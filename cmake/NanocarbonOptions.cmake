@@ -10,6 +10,7 @@ option(NANOCARBON_BENCHMARKS "Build the benchmark programs (needs Google Benchma
 option(NANOCARBON_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 option(NANOCARBON_PRECOMPILE "Precompile the headers of other libraries: builds in about half the time" ON)
 option(NANOCARBON_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(NANOCARBON_FUZZERS "Build the fuzzers (needs clang)" OFF)
 option(NANOCARBON_COVERAGE "Count which lines run; the target coverage makes a page of it (needs gcovr)" OFF)
 
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

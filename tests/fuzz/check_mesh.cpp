@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/formats/cell_request.h"
 #include "nanocarbon/mesh/formats/read_mesh.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/repair/repair_surface.h"
@@ -24,15 +25,21 @@ std::string broken_by_soup(const mesh::PolygonSoup& soup) {
   return {};
 }
 
-// What LoadedSurface promises, asked of the mesh itself.
-std::string broken_by_surface(const TriangleMesh& mesh) {
+// What is true of a usable mesh in free space and in a cell.
+std::string broken_by_topology(const TriangleMesh& mesh, const mesh::MeshTopology& topology) {
   if (mesh.triangles.empty()) return "a usable mesh has no triangles";
   const std::string broken = broken_by_soup(mesh::soup_of(mesh));
   if (!broken.empty()) return broken;
-  const mesh::MeshTopology topology = mesh::mesh_topology(mesh);
   if (!topology.manifold()) return "a usable mesh is not manifold";
   if (!topology.orientable || !topology.consistently_wound()) return "a usable mesh is not wound alike";
   if (topology.vertices != mesh.points.size()) return "a usable mesh has unused vertices";
+  return {};
+}
+
+// What LoadedSurface promises, asked of the mesh itself.
+std::string broken_by_surface(const TriangleMesh& mesh) {
+  const mesh::MeshTopology topology = mesh::mesh_topology(mesh);
+  if (const std::string broken = broken_by_topology(mesh, topology); !broken.empty()) return broken;
   std::int64_t euler = 0;
   for (const mesh::MeshComponent& component : topology.component) {
     euler += component.euler_characteristic();
@@ -46,6 +53,17 @@ std::string broken_by_surface(const TriangleMesh& mesh) {
   return {};
 }
 
+// The same for a mesh that is sewn in its cell, where it can be.
+std::string broken_in_cell(const TriangleMesh& mesh, const Cell& cell) {
+  std::vector<std::string> notes;
+  try {
+    const TriangleMesh sewn = mesh::in_cell(mesh, cell, {}, notes);
+    return broken_by_topology(sewn, mesh::mesh_topology(sewn));
+  } catch (const UserError&) {  // load_surface() names the file
+    return {};
+  }
+}
+
 }  // namespace
 
 std::string broken_promise(std::string_view contents, const std::string& file) {
@@ -53,8 +71,11 @@ std::string broken_promise(std::string_view contents, const std::string& file) {
     const mesh::PolygonSoup soup = mesh::parse_mesh(contents, file);
     const std::string broken = broken_by_soup(soup);
     if (!broken.empty()) return broken;
-    const mesh::RepairedSurface repaired = mesh::repair_surface(soup);
-    return repaired.diagnosis.usable() ? broken_by_surface(repaired.mesh) : std::string();
+    const std::optional<Cell> cell = mesh::requested_cell({}, soup);
+    mesh::RepairedSurface repaired = mesh::repair_surface(soup);
+    if (!cell) return repaired.diagnosis.usable() ? broken_by_surface(repaired.mesh) : std::string();
+    mesh::drop_findings_of_the_cut(repaired.diagnosis);
+    return repaired.diagnosis.usable() ? broken_in_cell(repaired.mesh, *cell) : std::string();
   } catch (const UserError& error) {
     return std::string_view(error.what()).find(file) == std::string_view::npos
                ? "the message does not name the file"

@@ -27,6 +27,14 @@ std::string broken_by(const molecule::MoleculeFrame& frame) {
   return {};
 }
 
+std::size_t atoms_read(std::string_view contents, const std::string& file,
+                       const molecule::MoleculeReadOptions& options) {
+  molecule::MoleculeFile molecules(contents, file, options);
+  std::size_t atoms = 0;
+  while (const auto frame = molecules.next()) atoms += frame->molecule.size();
+  return atoms;
+}
+
 std::string broken_promise(std::string_view contents, const std::string& file,
                            const molecule::MoleculeReadOptions& options) {
   try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,10 @@ namespace nanocarbon::test {
 //! Anything but a UserError passes through.
 std::string broken_promise(std::string_view contents, const std::string& file,
                            const molecule::MoleculeReadOptions& options);
+
+//! The atoms of all frames of a file.
+std::size_t atoms_read(std::string_view contents, const std::string& file,
+                       const molecule::MoleculeReadOptions& options);
 
 //! What a frame breaks of what read_molecule.h promises, or "".
 std::string broken_by(const molecule::MoleculeFrame& frame);

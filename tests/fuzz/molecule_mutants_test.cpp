@@ -1,42 +1,56 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Readers meet files that were damaged at random: each must be read or refused with a UserError, quickly, and
-// whatever is read must be sound. Run under the sanitizers this also finds what reads beyond its bounds.
+// Thousands of damaged files of atoms, always the same ones: each must be refused as the user's error or come out as
+// promised, without a crash, a hang, or an allocation that the file's size does not justify.
 #include <gmock/gmock.h>
 
-#include <functional>
 #include <random>
-#include <sstream>
 
-#include "molecule/cases.h"
-#include "nanocarbon/core/error.h"
-#include "nanocarbon/molecule/formats/lammps_data.h"
-#include "nanocarbon/molecule/formats/xyz.h"
-#include "nanocarbon/structures/graphene.h"
-#include "nanocarbon/structures/hydrocarbons.h"
-#include "support/read_text.h"
+#include "fuzz/allocation_watch.h"
+#include "fuzz/check_molecule.h"
+#include "fuzz/seeds.h"
 
-namespace nanocarbon::molecule {
+namespace nanocarbon {
 namespace {
 
-constexpr int rounds = 4000;
-
 std::string mutated(std::string text, std::mt19937_64& random) {
-  static const std::vector<std::string> components = {
-      "\n",         "\n\n",
-      " ",          "-1",
-      "0",          "99999999999999999999",
-      "1e308",      "-1e-308",
-      "nan",        "inf",
-      "C",          "H",
-      "Si",         "#",
-      "\"",         "{",
-      "=",          "Atoms",
-      "Bonds",      "atoms",
-      "Masses",     "xlo xhi",
-      "pbc",        "T",
-      "\t\r ",      "\xff",
-      "avec",       std::string(1, '\0'),
-      "4294967295", "Properties=species:S:1:pos:R:3:x:R:999 "};
+  static const std::vector<std::string> components = {"\n",
+                                                      "\n\n",
+                                                      " ",
+                                                      "-1",
+                                                      "0",
+                                                      "99999999999999999999",
+                                                      "1e308",
+                                                      "-1e-308",
+                                                      "nan",
+                                                      "inf",
+                                                      "C",
+                                                      "H",
+                                                      "Si",
+                                                      "#",
+                                                      "\"",
+                                                      "{",
+                                                      "=",
+                                                      "Atoms",
+                                                      "Bonds",
+                                                      "atoms",
+                                                      "Masses",
+                                                      "xlo xhi",
+                                                      "pbc",
+                                                      "T",
+                                                      "\t\r ",
+                                                      "\xff",
+                                                      "avec",
+                                                      std::string(1, '\0'),
+                                                      "4294967295",
+                                                      "Properties=species:S:1:pos:R:3:x:R:999 ",
+                                                      "ITEM: ATOMS id type x y z\n",
+                                                      "loop_\n_atom_site_label\n",
+                                                      "'",
+                                                      ";\n",
+                                                      "?",
+                                                      "data_",
+                                                      "Direct\n",
+                                                      "\\"};
   const auto below = [&](std::size_t n) {
     return static_cast<std::size_t>(random() % std::max<std::size_t>(n, 1));
   };
@@ -63,61 +77,44 @@ std::string mutated(std::string text, std::mt19937_64& random) {
   return text;
 }
 
-void expect_sound(const Molecule& m) {
-  ASSERT_EQ(m.positions.size(), m.elements.size());
-  for (const Vec3& p : m.positions) ASSERT_TRUE(p.allFinite());
-  for (std::size_t b = 0; b < m.bonds.size(); ++b) {
-    ASSERT_LE(m.bonds[b].first, m.bonds[b].second);
-    ASSERT_LT(m.bonds[b].second, m.size());
-    if (b > 0) {
-      ASSERT_LT(m.bonds[b - 1], m.bonds[b]);
-    }
-  }
-  if (m.cell) {
-    ASSERT_GT(volume(*m.cell), 0.0);
+class MoleculeMutants : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(MoleculeMutants, AreRefusedOrComeOutAsPromised) {
+  const test::Seed seed = test::molecule_seeds()[GetParam()];
+  EXPECT_EQ(test::broken_promise(seed.contents, seed.file, {}), "");
+  std::mt19937_64 random(GetParam() + 1);
+  const std::vector<molecule::MoleculeReadOptions> options = {
+      {}, {.types = {"C", "H"}}, {.periodic = std::array{true, false, true}}};
+  for (int mutant = 0; mutant < 1500; ++mutant) {
+    const std::string text = mutated(seed.contents, random);
+    test::reset_largest_allocation();
+    ASSERT_EQ(
+        test::broken_promise(text, seed.file, options[static_cast<std::size_t>(mutant) % options.size()]), "")
+        << seed.file << " mutant " << mutant << ":\n"
+        << text;
+    // A reader has a block of the file at once, and makes room for some atoms.
+    ASSERT_LT(test::largest_allocation(), 4'000'000 + 100 * text.size())
+        << seed.file << " mutant " << mutant << ":\n"
+        << text;
   }
 }
 
-void mutate(const std::string& file, const std::function<void(const std::string&)>& read) {
-  std::mt19937_64 random(1);
-  int refused = 0;
-  for (int round = 0; round < rounds; ++round) {
-    const std::string text = mutated(file, random);
-    try {
-      read(text);
-    } catch (const UserError&) {
-      ++refused;
-    } catch (const std::exception& error) {
-      FAIL() << error.what() << "\n" << text;
-    }
-    if (testing::Test::HasFatalFailure()) FAIL() << text;
-  }
-  // The damage must matter, but not always.
-  EXPECT_GT(refused, rounds / 10);
-  EXPECT_LT(refused, rounds);
+TEST_P(MoleculeMutants, EveryTruncationIsRefusedOrComesOutAsPromised) {
+  const test::Seed seed = test::molecule_seeds()[GetParam()];
+  for (std::size_t size = 0; size < seed.contents.size(); ++size)
+    ASSERT_EQ(test::broken_promise(seed.contents.substr(0, size), seed.file, {}), "")
+        << seed.file << " cut to " << size;
 }
 
-TEST(MutatedFiles, LammpsData) {
-  for (const AtomStyle style : {AtomStyle::atomic, AtomStyle::full}) {
-    std::ostringstream out;
-    LammpsDataOptions options;
-    options.atom_style = style;
-    write_lammps_data(out, style == AtomStyle::full ? structures::graphene(2, 1) : structures::benzene(),
-                      options);
-    mutate(out.str(), [](const std::string& text) {
-      for (const MoleculeFrame& frame : test::read_frames(text, "mutated.data")) expect_sound(frame.molecule);
-    });
-  }
+// What is broken from the start tests no more than the first line of a reader.
+TEST_P(MoleculeMutants, BeginFromWhatIsRead) {
+  const test::Seed seed = test::molecule_seeds()[GetParam()];
+  EXPECT_GT(test::atoms_read(seed.contents, seed.file, {.types = {"C", "H"}}), 0u) << seed.file;
 }
 
-TEST(MutatedFiles, Xyz) {
-  std::ostringstream out;
-  write_xyz(out, structures::benzene());
-  write_xyz(out, structures::graphene(2, 1));
-  mutate(out.str(), [](const std::string& text) {
-    for (const MoleculeFrame& frame : test::read_frames(text, "mutated.xyz")) expect_sound(frame.molecule);
-  });
-}
+INSTANTIATE_TEST_SUITE_P(EveryFormat, MoleculeMutants, testing::Range<std::size_t>(0, 16));
+
+TEST(MoleculeMutantSeeds, AreAllUsed) { EXPECT_EQ(test::molecule_seeds().size(), 16u); }
 
 }  // namespace
-}  // namespace nanocarbon::molecule
+}  // namespace nanocarbon

@@ -1,39 +1,67 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// For libFuzzer, built as mesh_fuzzer.cpp says: fuzz_potential, for parameter files of LAMMPS.
-// The first byte of the input chooses the potential, the rest is the file.
-#include <sys/mman.h>
-#include <unistd.h>
-
+// For libFuzzer, run by run.sh: fuzz_potential_rebo, fuzz_potential_airebo, fuzz_potential_airebo_m, for parameter
+// files of LAMMPS (FUZZED_READER).
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
+#include "fuzz/memory_file.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/potential/airebo/parameter_file.h"
 #include "nanocarbon/potential/rebo2/parameter_file.h"
 
+namespace {
+
+// Of a struct or array that is made of doubles alone.
+template <class T>
+void require_finite(const T& numbers) {
+  std::array<double, sizeof(T) / sizeof(double)> values;
+  std::memcpy(values.data(), &numbers, sizeof(T));
+  for (const double value : values)
+    if (!std::isfinite(value)) {
+      std::fprintf(stderr, "a parameter is not finite\n");
+      std::abort();
+    }
+}
+
+void require_finite(const nanocarbon::rebo2::Rebo2Parameters& parameters) {
+  require_finite(parameters.pairs);
+  require_finite(parameters.carbon);
+  require_finite(parameters.hydrogen);
+}
+
+[[maybe_unused]] void rebo(const std::string& path) {
+  require_finite(nanocarbon::rebo2::read_rebo2_parameters(path));
+}
+[[maybe_unused]] void airebo_of(const std::string& path, nanocarbon::airebo::LjForm form) {
+  const nanocarbon::airebo::AireboParameters parameters =
+      nanocarbon::airebo::read_airebo_parameters(path, form);
+  require_finite(parameters.rebo);
+  require_finite(parameters.long_range);
+  require_finite(parameters.torsion);
+}
+[[maybe_unused]] void airebo(const std::string& path) {
+  airebo_of(path, nanocarbon::airebo::LjForm::lennard_jones);
+}
+[[maybe_unused]] void airebo_m(const std::string& path) {
+  airebo_of(path, nanocarbon::airebo::LjForm::morse);
+}
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const int file = memfd_create("parameters", 0);
-  if (file < 0) return 0;
-  if (::write(file, data + 1, size - 1) == static_cast<ssize_t>(size - 1)) {
-    const std::string path = "/proc/self/fd/" + std::to_string(file);
-    try {
-      if (data[0] % 3 == 0)
-        nanocarbon::rebo2::read_rebo2_parameters(path);
-      else
-        nanocarbon::airebo::read_airebo_parameters(path, data[0] % 3 == 1
-                                                             ? nanocarbon::airebo::LjForm::lennard_jones
-                                                             : nanocarbon::airebo::LjForm::morse);
-    } catch (const nanocarbon::UserError& error) {
-      if (std::string(error.what()).find(path) == std::string::npos) {
-        std::fprintf(stderr, "the message does not name the file: %s\n", error.what());
-        std::abort();
-      }
+  const nanocarbon::test::MemoryFile file(data, size);
+  try {
+    FUZZED_READER(file.path());
+  } catch (const nanocarbon::UserError& error) {
+    if (std::string(error.what()).find(file.path()) == std::string::npos) {
+      std::fprintf(stderr, "the message does not name the file: %s\n", error.what());
+      std::abort();
     }
   }
-  ::close(file);
   return 0;
 }

@@ -7,38 +7,35 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <gemmi/cif.hpp>
-#include <gemmi/numb.hpp>
 #include <gemmi/symmetry.hpp>
 #include <initializer_list>
 #include <numbers>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/space.h"
+#include "nanocarbon/molecule/formats/cif_document.h"
 
 namespace nanocarbon::molecule {
 namespace {
 
-namespace cif = gemmi::cif;
-
 //! A block, and where errors in it are.
 struct Block {
-  cif::Block& data;
+  const CifBlock& data;
   const TextInput& input;
 
   [[noreturn]] void fail(const std::string& message, Failure failure = Failure::malformed) const {
     throw UserError(failure,
                     fmt::format("{}: in block data_{}: {}", input.name(), shown(data.name), message));
   }
-  //! The value of the first of these tags that is there, unquoted; empty for none, `?` and `.`.
+  bool has(const char* tag) const { return data.table_with(tag) != nullptr; }
+  //! The value of the first of these tags that has one; else empty.
   std::string value(std::initializer_list<const char*> tags) const {
     for (const char* tag : tags)
-      if (const std::string* found = data.find_value(tag); found != nullptr && !cif::is_null(*found))
-        return cif::as_string(*found);
+      if (std::string found = data.value(tag); !found.empty()) return found;
     return {};
   }
   double number(const std::string& text, const std::string& what) const {
-    const double value = cif::as_number(text);
+    const double value = cif_number(text);
     if (!std::isfinite(value) || std::abs(value) > 1e6)
       fail(fmt::format("{} must be a number, found '{}'", what, shown(text)));
     return value;
@@ -91,8 +88,9 @@ std::vector<Operation> operations_of(const Block& block, std::vector<std::string
   std::vector<Operation> operations;
   for (const char* tag : {"_space_group_symop_operation_xyz", "_symmetry_equiv_pos_as_xyz",
                           "_space_group_symop.operation_xyz"}) {
-    for (const std::string& text : block.data.find_values(tag))
-      operations.push_back(operation_of(block, cif::as_string(text)));
+    const CifTable* table = block.data.table_with(tag);
+    for (std::size_t row = 0; table != nullptr && row < table->rows(); ++row)
+      operations.push_back(operation_of(block, table->at(row, *table->column(tag))));
     if (operations.size() > 192)
       block.fail("it lists more than 192 symmetry operations, the most that a group has");
     if (!operations.empty()) return operations;
@@ -102,8 +100,8 @@ std::vector<Operation> operations_of(const Block& block, std::vector<std::string
     for (const Operation op : group) listed.push_back(op);
     return listed;
   };
-  const std::string hall = block.value({"_space_group_name_Hall", "_symmetry_space_group_name_Hall"});
-  const std::string name = block.value({"_space_group_name_H-M_alt", "_symmetry_space_group_name_H-M"});
+  const std::string hall = block.value({"_space_group_name_hall", "_symmetry_space_group_name_hall"});
+  const std::string name = block.value({"_space_group_name_h-m_alt", "_symmetry_space_group_name_h-m"});
   try {
     if (!hall.empty()) return all(gemmi::symops_from_hall(hall.c_str()));
     if (const gemmi::SpaceGroup* group = name.empty() ? nullptr : gemmi::find_spacegroup_by_name(name))
@@ -114,13 +112,13 @@ std::vector<Operation> operations_of(const Block& block, std::vector<std::string
     block.fail(fmt::format("the space group '{}' is not known, and its operations are not listed",
                            shown(hall.empty() ? name : hall)),
                Failure::unsuitable);
-  if (!block.value({"_space_group_IT_number", "_symmetry_Int_Tables_number"}).empty() &&
-      block.value({"_space_group_IT_number", "_symmetry_Int_Tables_number"}) != "1")
+  if (!block.value({"_space_group_it_number", "_symmetry_int_tables_number"}).empty() &&
+      block.value({"_space_group_it_number", "_symmetry_int_tables_number"}) != "1")
     block.fail(
         "the space group is given by its number alone, which leaves its setting open; list its operations "
         "(_space_group_symop_operation_xyz)",
         Failure::unsuitable);
-  if (block.value({"_space_group_IT_number", "_symmetry_Int_Tables_number"}).empty())
+  if (block.value({"_space_group_it_number", "_symmetry_int_tables_number"}).empty())
     warnings.push_back(
         fmt::format("block data_{} does not give its symmetry; the atoms listed are taken to be all of them",
                     shown(block.data.name)));
@@ -134,33 +132,39 @@ struct Site {
 };
 
 std::vector<Site> sites_of(const Block& block, const Cell& cell, ReadSettings& settings) {
-  enum Tag { x, y, z, label, symbol, occupancy, calc_flag };
-  const bool fractions = static_cast<bool>(block.data.find_values("_atom_site_fract_x"));
-  const std::string prefix = fractions ? "fract_" : "Cartn_";
-  cif::Table table = block.data.find("_atom_site_", {prefix + "x", prefix + "y", prefix + "z", "?label",
-                                                     "?type_symbol", "?occupancy", "?calc_flag"});
-  if (!table.ok()) block.fail("the atoms need three coordinates (_atom_site_fract_x, y, z)");
-  if (!table.has_column(label) && !table.has_column(symbol))
-    block.fail("the atoms have no labels (_atom_site_label)");
+  const bool fractions = block.has("_atom_site_fract_x");
+  const std::string first = fractions ? "_atom_site_fract_x" : "_atom_site_cartn_x";
+  const CifTable& table = *block.data.table_with(first);
+  const auto x = table.column(first), y = table.column(first.substr(0, first.size() - 1) + "y"),
+             z = table.column(first.substr(0, first.size() - 1) + "z");
+  if (!y || !z) block.fail("the atoms need three coordinates (_atom_site_fract_x, y, z)");
+  const auto label = table.column("_atom_site_label"), symbol = table.column("_atom_site_type_symbol");
+  if (!label && !symbol) block.fail("the atoms have no labels (_atom_site_label)");
+  const auto occupancy = table.column("_atom_site_occupancy"), flag = table.column("_atom_site_calc_flag");
   const Mat3 to_fraction = cell.vectors.inverse();
   SpeciesReader species(settings.types);
   std::vector<Site> sites;
-  for (const auto row : table) {
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto value = [&](std::optional<std::size_t> column) {
+      return column ? table.at(row, *column) : std::string();
+    };
     Site site;
-    site.label = table.has_column(label) ? cif::as_string(row[label]) : cif::as_string(row[symbol]);
+    site.label = label ? value(label) : value(symbol);
     const std::string what = fmt::format("atom '{}'", shown(site.label));
-    const auto coordinate = [&](int tag) { return block.number(row[tag], "a coordinate of " + what); };
-    if (table.has_column(occupancy) && !cif::is_null(row[occupancy]) &&
-        std::abs(block.number(row[occupancy], "the occupancy of " + what) - 1.0) > 1e-6)
+    const std::string occupied = value(occupancy);
+    if (!occupied.empty() && std::abs(block.number(occupied, "the occupancy of " + what) - 1.0) > 1e-6)
       block.fail(
           fmt::format("{} has the occupancy {}: the structure is disordered; keep one of the alternatives",
-                      what, shown(row[occupancy])),
+                      what, shown(occupied)),
           Failure::unsuitable);
-    if (table.has_column(calc_flag) && lower_case(cif::as_string(row[calc_flag])) == "dum") continue;
+    if (lower_case(value(flag)) == "dum") continue;
+    const auto coordinate = [&](std::optional<std::size_t> column) {
+      return block.number(value(column), "a coordinate of " + what);
+    };
     const Vec3 position(coordinate(x), coordinate(y), coordinate(z));
     site.fraction = fractions ? position : Vec3(to_fraction * position);
-    const bool has_symbol = table.has_column(symbol) && !cif::is_null(row[symbol]);
-    site.element = species.of_name(block.input, has_symbol ? cif::as_string(row[symbol]) : site.label);
+    const std::string element = value(symbol);
+    site.element = species.of_name(block.input, element.empty() ? site.label : element);
     sites.push_back(std::move(site));
   }
   return sites;
@@ -202,21 +206,21 @@ MoleculeFrame frame_of(const Block& block, ReadSettings& settings) {
 
 std::vector<MoleculeFrame> read_cif(TextInput& input, ReadSettings& settings) {
   const std::string text = input.rest(std::size_t{256} << 20);
-  cif::Document document;
+  std::vector<CifBlock> blocks;
   try {
-    document = cif::read_memory(text.data(), text.size(), input.name().c_str());
+    blocks = parse_cif(text, input.name());
   } catch (const std::exception& error) {
     throw UserError(Failure::malformed, fmt::format("{} (CIF)", shown(error.what(), 300)));
   }
   std::vector<MoleculeFrame> frames;
-  for (cif::Block& block : document.blocks) {
-    const auto has = [&](const char* tag) { return static_cast<bool>(block.find_values(tag)); };
-    if (has("_atom_site.id") || has("_atom_site.label_atom_id"))
+  for (const CifBlock& data : blocks) {
+    const Block block{data, input};
+    if (block.has("_atom_site.id") || block.has("_atom_site.label_atom_id"))
       throw UserError(
           Failure::malformed,
           fmt::format("{}: it is an mmCIF file of macromolecules; convert it to XYZ", input.name()));
-    if (has("_atom_site_fract_x") || has("_atom_site_Cartn_x"))
-      frames.push_back(frame_of({block, input}, settings));
+    if (block.has("_atom_site_fract_x") || block.has("_atom_site_cartn_x"))
+      frames.push_back(frame_of(block, settings));
   }
   if (frames.empty())
     throw UserError(Failure::malformed,

@@ -124,9 +124,11 @@ void LaneEvaluation::add_bond(const Selected& selected, std::uint32_t own, LaneB
   to.add(bond);
 }
 
+// Of N_conj, which is of carbons alone.
 bool LaneEvaluation::has_steady_neighbours(const LaneNode& node) const {
   bool steady = true;
-  for (std::uint32_t e = node.first; e < node.end(); ++e) steady &= nodes_.is_steady(nodes_.to(e));
+  for (std::uint32_t e = node.first; e < node.first + node.carbons; ++e)
+    steady &= nodes_.is_steady(nodes_.to(e));
   return steady;
 }
 

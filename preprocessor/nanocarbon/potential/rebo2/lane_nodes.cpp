@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/potential/rebo2/lane_nodes.h"
 
-#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace nanocarbon::rebo2 {
@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 
-constexpr double margin = 0.1;         // Angstrom, of half-edges beyond a bond's reach
+// Angstrom, of half-edges beyond a bond's reach, by pair_index(): the two hydrogens of CH2, at 1.78, are within,
+// hydrogen at the next carbon, at 2.15, is not.
+constexpr std::array<double, 3> margins = {0.15, 0.15, 0.25};
 constexpr double steady_slack = 0.04;  // Angstrom, of a steady node's bonds to where their switch begins
 
 double squared_distance(const double* from, const double* to) {
@@ -22,13 +24,6 @@ double squared_distance(const double* from, const double* to) {
 }
 
 }  // namespace
-
-int table_place(double n) {
-  if (n >= 4.0) return 8;
-  if (!(n > 0.0)) return 0;
-  const int below = static_cast<int>(n);
-  return 2 * below + (n != below);
-}
 
 LaneNodes::LaneNodes(const Rebo2Parameters& parameters, const LaneConstants& constants,
                      const LaneLoops& loops)
@@ -137,11 +132,11 @@ LaneEdges LaneNodes::edges(double* energies) {
           geometry_.data(), weights_.data(),   gradient_.data(), energies};
 }
 
-bool LaneNodes::find(std::uint32_t own) { return find(own, margin) || find(own, 0.0); }
+bool LaneNodes::find(std::uint32_t own) { return find(own, margins) || find(own, {}); }
 
-bool LaneNodes::find(std::uint32_t own, double beyond) {
+bool LaneNodes::find(std::uint32_t own, const std::array<double, 3>& beyond) {
   for (std::size_t pair = 0; pair < 3; ++pair)
-    squared_reach_[pair] = (cutoffs_[pair] + beyond) * (cutoffs_[pair] + beyond);
+    squared_reach_[pair] = (cutoffs_[pair] + beyond[pair]) * (cutoffs_[pair] + beyond[pair]);
   for (const LaneNode& node : nodes_) place_[node.atom] = absent;
   nodes_.clear();
   edge_count_ = 0;

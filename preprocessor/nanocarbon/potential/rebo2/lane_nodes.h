@@ -23,7 +23,12 @@ struct LaneNode {
 };
 
 //! Even at a whole number, odd between two; the tables over coordination numbers end at 4.
-int table_place(double n);
+inline int table_place(double n) {
+  if (n >= 4.0) return 8;
+  if (!(n > 0.0)) return 0;
+  const int below = static_cast<int>(n);
+  return 2 * below + (n != below);
+}
 
 //! \brief The bonds of atoms, as half-edges for the lane loops: of own atoms, of atoms bonded to them, and of others
 //! as they are asked for.
@@ -81,7 +86,7 @@ class LaneNodes {
   std::size_t memory() const;
 
  private:
-  bool find(std::uint32_t own, double beyond);
+  bool find(std::uint32_t own, const std::array<double, 3>& beyond);
   void sum_weights(const LaneNode& node);
 
   //! Near each other without a half-edge.

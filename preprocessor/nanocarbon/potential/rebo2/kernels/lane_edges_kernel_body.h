@@ -24,10 +24,16 @@ inline void measure(const LaneEdges& edges, std::size_t begin, std::size_t end) 
     const Records window = load_records(&edges.constants->pairs[0].cutoff_begin, pair);
     const Real over = r - window.a;
     Records weights = {all(1.0), Real{}, all(1.0), Real{}};
-    if (any(over > 0.0)) {
-      const ValueAndSlope bond = cosine_switch(over * window.b);
-      const ValueAndSlope arm = cosine_switch(over * window.c);
-      weights = {bond.value, bond.slope * window.b, arm.value, arm.slope * window.c};
+    const Mask beyond = over > 0.0;
+    if (any(beyond)) {
+      const Real t = over * window.b, arm_t = over * window.c;
+      if (any(beyond & ((t < 1.0) | (arm_t < 1.0)))) {
+        const ValueAndSlope bond = cosine_switch(t);
+        const ValueAndSlope arm = cosine_switch(arm_t);
+        weights = {bond.value, bond.slope * window.b, arm.value, arm.slope * window.c};
+      } else {  // no bonds any more
+        weights.a = weights.c = beyond ? Real{} : weights.a;
+      }
     }
     store_records(edges.weights, place, weights);
   }

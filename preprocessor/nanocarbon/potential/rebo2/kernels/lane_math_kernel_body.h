@@ -178,7 +178,7 @@ NANOCARBON_INLINE ValueAndSlope cosine_switch(Real t) {
     cosine = 1.0 - x2 * cosine * (1.0 / (k * (k - 1)));
     sine = 1.0 - x2 * sine * (1.0 / (k * (k + 1)));
   }
-  return {0.5 - 0.5 * x * sine, (t > 0.0) & (t < 1.0) ? -0.5 * pi * cosine : Real{}};
+  return {0.5 - 0.5 * x * sine, ((t > 0.0) & (t < 1.0)) ? -0.5 * pi * cosine : Real{}};
 }
 
 //! Coefficients of a quintic by piece, [power][piece]; at most four pieces.
