@@ -2,6 +2,7 @@
 // The fixed-bond model in a periodic cell.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -9,6 +10,7 @@
 #include "nanocarbon/annealing/geometry_check.h"
 #include "nanocarbon/annealing/network_guards.h"
 #include "nanocarbon/annealing/network_springs.h"
+#include "nanocarbon/annealing/switching_patch.h"
 #include "nanocarbon/potential/rebo2/rebo2.h"
 #include "nanocarbon/structures/schwarzite.h"
 
@@ -88,6 +90,59 @@ TEST(FixedBondsInACell, GuardsAndSpringsAreSlopesOfTheirEnergies) {
       behind[a][d] -= 1e-5;
       EXPECT_NEAR(gradient[a][d], (energy(ahead, unused) - energy(behind, unused)) / 2e-5, 1e-4);
     }
+}
+
+// A flat sheet of hexagons, in a cell, whose atoms are given in all sorts of images.
+SwitchingState periodic_sheet(int cells) {
+  TriangleMesh mesh;
+  const double edge = 2.46, row = edge * std::sqrt(0.75);
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i) mesh.points.push_back(Vec3(edge * (i + 0.5 * j), row * j, 0));
+  Cell cell;
+  cell.vectors << cells * edge, 0.5 * cells * edge, 0, 0, cells * row, 0, 0, 0, 50;
+  cell.periodic = {true, true, false};
+  mesh.space = Space(cell);
+  const auto at = [&](int i, int j) { return static_cast<VertexIndex>(j % cells * cells + i % cells); };
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+      mesh.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  SwitchingState state;
+  state.network = trivalent_network(mesh);
+  state.space = mesh.space;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = corners_of(mesh, mesh.triangles[t]);
+    const Vec3 shift = image_shift(cell, {static_cast<int>(t % 3) - 1, static_cast<int>(t % 5) - 2, 0});
+    state.positions.push_back((a + b + c) / 3 + shift);
+    state.planes.push_back({state.positions.back(), Vec3::UnitZ()});
+  }
+  return state;
+}
+
+TEST(SwitchesInACell, AreTheSameWhereverTheyAreMade) {
+  const SwitchingState state = periodic_sheet(9);
+  std::vector<double> splits, flips;
+  for (RingIndex ring = 0; ring < state.network.rings.size(); ++ring) {
+    for (unsigned first = 0; first < 6; ++first) {
+      const auto edit = split_ring(state.network, ring, first, 3);
+      ASSERT_TRUE(edit);
+      SwitchingPatch patch;
+      patch.gather(state, *edit, 3);
+      patch.apply(*edit);
+      splits.push_back(patch.energy());
+    }
+    const auto edit = flip_bond(state.network, state.network.rings[ring].atom, 0);
+    ASSERT_TRUE(edit);
+    SwitchingPatch patch;
+    patch.gather(state, *edit, 3);
+    patch.apply(*edit);
+    flips.push_back(patch.energy());
+  }
+  const auto [least_split, most_split] = std::minmax_element(splits.begin(), splits.end());
+  EXPECT_NEAR(*least_split, *most_split, 1e-6);
+  const auto [least_flip, most_flip] = std::minmax_element(flips.begin(), flips.end());
+  EXPECT_NEAR(*least_flip, *most_flip, 1e-6);
 }
 
 }  // namespace

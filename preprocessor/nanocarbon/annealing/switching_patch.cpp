@@ -145,7 +145,8 @@ void SwitchingPatch::place_added(AtomIndex u, AtomIndex w) {
   };
   std::vector<AtomIndex> ends;
   positions_[u] = between(u, w, ends);
-  positions_[w] = graph_.space.beside(between(w, u, ends), positions_[ends[2]]);
+  const Vec3 other_side = between(w, u, ends);  // beside ends[0]
+  positions_[w] = graph_.space.beside(other_side, positions_[ends[2]]);
   planes_[u] = planes_[ends[0]];
   planes_[w] = planes_[ends[2]];
   const Vec3 apart = graph_.space.displacement(positions_[u], positions_[w]);
