@@ -33,7 +33,7 @@ Mat3 vectors_of(double a, double b, double c, double alpha, double beta, double 
   if (!(squared > 1e-9))
     throw UserError(
         Failure::usage,
-        fmt::format("--cell: no cell has the angles {}, {} and {}; give those between b and c, a and c, a "
+        fmt::format("no cell has the angles {}, {} and {}; give those between b and c, a and c, a "
                     "and b, in degrees",
                     alpha, beta, gamma));
   Mat3 vectors;
@@ -73,6 +73,23 @@ void add_cell_options(CLI::App& sub, CellOptions& o) {
       ->capture_default_str();
 }
 
+void add_period_options(CLI::App& sub, CellOptions& o) {
+  o.name = "--period";
+  sub.add_option("--period", o.cell,
+                 "Edge of the cube that the surface repeats itself in, mesh units; or the edges a,b,c of a "
+                 "cell, with the "
+                 "angles alpha,beta,gamma in degrees; or the edges as nine numbers (6.283, 2 pi)")
+      ->expected(1, 9)
+      ->delimiter(',')
+      ->type_name("A[,B,C]");
+  sub.add_option(
+         "--periodic", o.periodic,
+         "Directions in which it does: xyz (default), xy, z, ... of the edges a, b, c; in others the period "
+         "is the length of the box. none: free space, closed off at the box")
+      ->check(directions())
+      ->type_name("XYZ");
+}
+
 mesh::CellRequest cell_request(const CellOptions& o) {
   mesh::CellRequest request;
   if (o.periodic) {
@@ -81,10 +98,11 @@ mesh::CellRequest cell_request(const CellOptions& o) {
       periodic[static_cast<std::size_t>(c - 'x')] = true;
     request.periodic = periodic;
   }
-  const std::vector<double>& n = o.cell;
+  std::vector<double> n = o.cell;
+  if (n.size() == 1) n = {n[0], n[0], n[0]};  // a cube
   for (std::size_t k = 0; k < std::min<std::size_t>(n.size(), 6) && n.size() < 9; ++k)
     if (!(n[k] > 0))
-      throw UserError(Failure::usage, fmt::format("--cell: {} is not a length or an angle above zero", n[k]));
+      throw UserError(Failure::usage, fmt::format("{}: {} is not a length or an angle above zero", o.name, n[k]));
   if (n.size() == 3) request.vectors = Vec3(n[0], n[1], n[2]).asDiagonal();
   if (n.size() == 6) request.vectors = vectors_of(n[0], n[1], n[2], n[3], n[4], n[5]);
   if (n.size() == 9) {
@@ -93,7 +111,7 @@ mesh::CellRequest cell_request(const CellOptions& o) {
   }
   if (!n.empty() && !request.vectors)
     throw UserError(Failure::usage,
-                    fmt::format("--cell: {} numbers are not a cell: give 3, 6 or 9", n.size()));
+                    fmt::format("{}: {} numbers are not a cell: give 3, 6 or 9", o.name, n.size()));
   request.cells = cells_each_way(o.cells);
   request.match = o.match;
   return request;

@@ -16,10 +16,15 @@ struct CellOptions {
   std::vector<double> cell;
   std::vector<int> cells;
   double match = 1e-3;
+  std::string name = "--cell";  //!< of the option that gives the cell
 };
 
 //! \p options must outlive the app.
 void add_cell_options(CLI::App& subcommand, CellOptions& options);
+
+//! Of those the ones that say in what cell a surface that is made repeats itself: --period, which may also be
+//! one number, for the edge of a cube, and --periodic.
+void add_period_options(CLI::App& subcommand, CellOptions& options);
 
 //! \throw UserError (usage) for numbers that make no cell
 mesh::CellRequest cell_request(const CellOptions& options);

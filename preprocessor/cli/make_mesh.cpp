@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "cell_options.h"
 #include "make.h"
 #include "make_output.h"
+#include "nanocarbon/shapes/formula_surface.h"
 #include "nanocarbon/shapes/implicit_shapes.h"
 #include "nanocarbon/shapes/periodic_shapes.h"
 #include "nanocarbon/shapes/shapes.h"
@@ -207,6 +209,37 @@ void add_foam(CLI::App& mesh) {
       ->capture_default_str();
 }
 
+void add_formula(CLI::App& mesh) {
+  struct Formula {
+    shapes::FormulaSurface surface;
+    CellOptions cell;
+  };
+  const auto c = add_shape<Formula>(
+      mesh, "implicit",
+      "The surface where a formula of x, y and z has a given value, in a periodic cell or box",
+      [](const Formula& f) {
+        shapes::FormulaSurface surface = f.surface;
+        const mesh::CellRequest request = cell_request(f.cell);
+        surface.cell.vectors = *request.vectors;
+        if (request.periodic) surface.cell.periodic = *request.periodic;
+        return shapes::make_formula_surface(surface);
+      });
+  c->shape.cell.cell = {2 * std::numbers::pi};
+  CLI::App& sub = *mesh.get_subcommand("implicit");
+  shapes::FormulaSurface& surface = c->shape.surface;
+  sub.add_option("FORMULA", surface.formula, "Such as 'cos(x)+cos(y)+cos(z)': see the manual of muParser")
+      ->required();
+  add_period_options(sub, c->shape.cell);
+  sub.add_option("--level", surface.level, "Value of the formula on the surface")->capture_default_str();
+  sub.add_option("--thickness", surface.thickness,
+                 "The closed shell this thick around the surface, mesh units (0: the surface itself)")
+      ->check(zero_or_more())
+      ->capture_default_str();
+  sub.add_option("--edge", surface.edge,
+                 "Length of the edges of its triangles, mesh units; by default a 25th of the shortest period")
+      ->check(above_zero());
+}
+
 }  // namespace
 
 void add_make_mesh(CLI::App& make) {
@@ -237,13 +270,16 @@ void add_make_mesh(CLI::App& make) {
   add_periodic_surface(mesh, Kind::fischer_koch_s, "Fischer and Koch's S surface in a periodic cell");
   add_periodic_surface(mesh, Kind::lidinoid, "The lidinoid in a periodic cell");
   add_foam(mesh);
+  add_formula(mesh);
   mesh.footer(R"(Lengths are in mesh units; 'nanocarbon build' has options for the size in Angstrom.
 Examples:
   nanocarbon make mesh torus --major 3 --minor 1 --edge 0.2 -o torus.off
   nanocarbon make mesh junction --kind y --tube-radius 1 --arm-length 5 -o junction.off
   nanocarbon make mesh gyroid-piece --cells 1.5 -o gyroid.ply
   nanocarbon make mesh schwarz-p -o p.off
-  nanocarbon make mesh foam --waves 3 --seed 7 -o foam.off)");
+  nanocarbon make mesh foam --waves 3 --seed 7 -o foam.off
+  nanocarbon make mesh implicit 'sin(x)*cos(y)+sin(y)*cos(z)+sin(z)*cos(x)' -o gyroid.off
+  nanocarbon make mesh implicit 'z-0.3*sin(x)*sin(y)' --periodic xy -o ripples.off)");
 }
 
 }  // namespace nanocarbon::cli
