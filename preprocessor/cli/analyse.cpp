@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -150,18 +153,40 @@ class Analyser {
   topology::SurfaceTopology start_surface_;
 };
 
-Json json_of(const AnalyseCommand& command, const Findings& found) {
-  Json json = {{"nanocarbon", version}, {"command", command.command_line}};
-  json["file"] = found.frames.back().file;
-  json["frame"] = found.frames.back().frame;
-  json.update(analysis::analysis_json(found.last.molecule, found.last.ids, found.analysis));
+void write_json(std::ostream& out, const AnalyseCommand& command, const Findings& found) {
+  analysis::JsonWriter json(out);
+  const auto write = [&](std::string_view key, const Json& value) {
+    json.key(key);
+    json.value(value);
+  };
+  json.begin_object();
+  write("nanocarbon", version);
+  write("command", command.command_line);
+  write("file", found.frames.back().file);
+  write("frame", found.frames.back().frame);
+  analysis::write_analysis_json(json, found.last.molecule, found.last.ids, found.analysis);
   if (found.bonds_of_file > 0)
-    json["bonds_of_file"] = {{"count", found.bonds_of_file}, {"differing", found.bonds_differing}};
-  json["verdict"] = topology::name(found.change.verdict);
-  Json frames = Json::array();
-  for (const analysis::FrameSummary& frame : found.frames) frames.push_back(analysis::frame_json(frame));
-  json["frames"] = std::move(frames);
-  return json;
+    write("bonds_of_file", {{"count", found.bonds_of_file}, {"differing", found.bonds_differing}});
+  write("verdict", topology::name(found.change.verdict));
+  json.key("frames");
+  json.begin_list();
+  for (const analysis::FrameSummary& frame : found.frames) analysis::write_frame_json(json, frame);
+  json.end();
+  json.end();
+  json.flush();
+  out << '\n';
+}
+
+void print_json(const AnalyseCommand& command, const Findings& found) {
+  errno = 0;
+  try {
+    std::cout.exceptions(std::ios::badbit | std::ios::failbit);
+    write_json(std::cout, command, found);
+    std::cout.flush();
+  } catch (const std::ios_base::failure&) {
+    throw UserError(Failure::unwritable, fmt::format("standard output: cannot be written: {}",
+                                                     errno ? std::strerror(errno) : "write error"));
+  }
 }
 
 void print_frames(const Findings& found) {
@@ -233,7 +258,7 @@ void run(const AnalyseCommand& command) {
     files.add(*command.page, [&](std::ostream& out) { page::write_page(out, page_of(command, found)); });
   files.publish();
   if (command.json)
-    fmt::print("{}\n", json_of(command, found).dump(2));
+    print_json(command, found);
   else if (!command.quiet)
     print_text(found);
 }

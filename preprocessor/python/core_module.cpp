@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <sstream>
 
 #include "arrays.h"
 #include "make_module.h"
@@ -142,7 +143,13 @@ Analysed analyse(Molecule molecule, double form, const std::string& rings, int m
   molecule.bonds = analysis::frame_bonds(molecule, ids, distances, nullptr).bonds;
   Analysed result;
   result.found = analysis::analyse(molecule, ids, options);
-  result.report = analysis::analysis_json(molecule, ids, result.found).dump();
+  std::ostringstream report;
+  analysis::JsonWriter json(report);
+  json.begin_object();
+  analysis::write_analysis_json(json, molecule, ids, result.found);
+  json.end();
+  json.flush();
+  result.report = std::move(report).str();
   molecule.rings = result.found.pieces.rings;
   result.molecule = std::move(molecule);
   return result;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "support/program_test.h"
+#include "support/run_program.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -70,12 +71,42 @@ TEST_F(Analyse, AMeshThatItWritesBuildsTheMoleculeAgain) {
   EXPECT_EQ(a["rings"]["by_size"], b["rings"]["by_size"]);
 }
 
+TEST_F(Analyse, AMeshOfAPeriodicMoleculeIsInItsCell) {
+  const std::string data = path("p688.data"), mesh = path("p688.off");
+  ASSERT_EQ(run("make schwarzite p688 --cells 2 -q -o " + data).exit_code, 0);
+  ASSERT_EQ(run("analyse " + data + " -q --mesh " + mesh).exit_code, 0);
+  const json found = json::parse(run("inspect " + mesh + " --json").out);
+  // Euler characteristic -4 a cell (O'Keeffe, Adams and Sankey 1992), eight cells, no boundary.
+  EXPECT_EQ(found["cell"]["euler_characteristic"], -32);
+  EXPECT_EQ(found["cell"]["boundary_loops"], 0);
+  EXPECT_EQ(run("analyse " + data + " -q --mesh " + path("p688.stl")).exit_code, 2);
+}
+
+// Names of files may be any bytes; JSON is UTF-8.
+TEST_F(Analyse, JsonIsValidWhateverTheNameOfTheFile) {
+  const std::string named = file("caf\xe9 \"quoted\" \x01.xyz", "2\n\nC 0 0 0\nC 1.4 0 0\n");
+  const Outcome outcome = run("analyse --json '" + named + "'");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json found = json::parse(outcome.out);
+  EXPECT_EQ(found["atoms"], 2);
+  EXPECT_THAT(found["frames"][0]["file"].get<std::string>(), HasSubstr("\"quoted\" \x01"));
+}
+
+TEST_F(Analyse, JsonThatCannotBeWrittenIsSaid) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  const std::string two = file("two.xyz", "2\n\nC 0 0 0\nC 1.4 0 0\n");
+  const test::ProgramOutcome outcome =
+      test::run_command("(" NANOCARBON_PROGRAM " analyse --json " + two + " >/dev/full)");
+  EXPECT_EQ(outcome.exit_code, 7);
+  EXPECT_THAT(outcome.output, HasSubstr("standard output"));
+}
+
 TEST_F(Analyse, SaysWhatIsWrongAndExitsWithItsCode) {
   const std::string data = path("sheet.data");
-  ASSERT_EQ(run("make graphene --cells 3 2 -q -o " + data).exit_code, 0);
-  const Outcome periodic = run("analyse " + data + " --mesh " + path("sheet.off"));
-  EXPECT_EQ(periodic.exit_code, 5);
-  EXPECT_THAT(periodic.err, HasSubstr("periodic"));
+  ASSERT_EQ(run("make graphene --cells 2 2 -q -o " + data).exit_code, 0);
+  const Outcome narrow = run("analyse " + data + " --mesh " + path("sheet.off"));
+  EXPECT_EQ(narrow.exit_code, 5);
+  EXPECT_THAT(narrow.err, HasSubstr("repeat the cell first"));
   EXPECT_FALSE(exists("sheet.off"));
   EXPECT_EQ(run("analyse " + data + " --form 2.1").exit_code, 2);
   EXPECT_EQ(run("analyse " + data + " --mesh " + path("sheet.png")).exit_code, 2);

@@ -30,11 +30,25 @@ Json distribution_json(const Distribution& d) {
            {{"from", d.histogram.from}, {"width", d.histogram.width}, {"counts", d.histogram.counts}}}};
 }
 
-Json named(std::span<const AtomIndex> atoms, std::span<const std::int64_t> ids) {
-  std::vector<std::int64_t> names;
-  names.reserve(atoms.size());
-  for (const AtomIndex a : atoms) names.push_back(ids[a]);
-  return names;
+// Writes lists of atoms by their names, without a tree for each.
+class NamedLists {
+ public:
+  NamedLists(JsonWriter& json, std::span<const std::int64_t> ids) : json_(json), ids_(ids) {}
+  void write(std::span<const AtomIndex> atoms) {
+    names_.clear();
+    for (const AtomIndex a : atoms) names_.push_back(ids_[a]);
+    json_.numbers(names_);
+  }
+
+ private:
+  JsonWriter& json_;
+  std::span<const std::int64_t> ids_;
+  std::vector<std::int64_t> names_;
+};
+
+void write(JsonWriter& json, std::string_view key, const Json& value) {
+  json.key(key);
+  json.value(value);
 }
 
 Json statistics_json(std::span<const std::uint64_t> counts, std::size_t atoms) {
@@ -45,38 +59,43 @@ Json statistics_json(std::span<const std::uint64_t> counts, std::size_t atoms) {
   return {{"by_size", counts_json(counts)}, {"per_atom", per_atom}};
 }
 
-Json rings_json(const Pieces& pieces, std::span<const std::int64_t> ids) {
-  Json rings = {{"by_size", counts_json(pieces.ring_counts)}};
+void write_rings(JsonWriter& json, const Pieces& pieces, std::span<const std::int64_t> ids) {
+  json.key("rings");
+  json.begin_object();
+  write(json, "by_size", counts_json(pieces.ring_counts));
   if (!pieces.king_counts.empty()) {
-    rings["atoms_searched"] = pieces.atoms_without_surface;
-    rings["king"] =
-        statistics_json(pieces.king_counts, std::max<std::size_t>(1, pieces.atoms_without_surface));
-    rings["primitive"] =
-        statistics_json(pieces.primitive_counts, std::max<std::size_t>(1, pieces.atoms_without_surface));
+    const std::size_t atoms = std::max<std::size_t>(1, pieces.atoms_without_surface);
+    write(json, "atoms_searched", pieces.atoms_without_surface);
+    write(json, "king", statistics_json(pieces.king_counts, atoms));
+    write(json, "primitive", statistics_json(pieces.primitive_counts, atoms));
   }
-  if (!pieces.rings_not_counted.empty()) rings["not_counted"] = pieces.rings_not_counted;
-  Json lists = Json::array();
-  for (std::size_t r = 0; r < pieces.rings.size(); ++r) lists.push_back(named(pieces.rings[r], ids));
-  rings["atoms"] = std::move(lists);
-  return rings;
+  if (!pieces.rings_not_counted.empty()) write(json, "not_counted", pieces.rings_not_counted);
+  json.key("atoms");
+  json.begin_list();
+  NamedLists lists(json, ids);
+  for (std::size_t r = 0; r < pieces.rings.size(); ++r) lists.write(pieces.rings[r]);
+  json.end();
+  json.end();
 }
 
-Json pieces_json(const Pieces& pieces, std::span<const std::int64_t> ids) {
-  Json list = Json::array();
+void write_pieces(JsonWriter& json, const Pieces& pieces, std::span<const std::int64_t> ids) {
+  json.key("pieces");
+  json.begin_list();
   for (const Piece& piece : pieces.pieces) {
-    Json json = {{"atoms", piece.atoms}, {"first_atom", ids[piece.first]}, {"surface", piece.is_surface()}};
-    if (piece.is_surface())
-      json.update({{"has_rings", piece.topology.has_rings},
-                   {"euler_characteristic", piece.topology.euler_characteristic()},
-                   {"orientable", piece.topology.orientable},
-                   {"genus", piece.topology.genus},
-                   {"boundary_loops", piece.topology.boundary_loops}});
-    else
-      json["reason"] = piece.not_a_surface;
-    json["rings"] = name(piece.rings);
-    list.push_back(std::move(json));
+    Json item = {{"atoms", piece.atoms}, {"first_atom", ids[piece.first]}, {"surface", piece.is_surface()}};
+    if (piece.is_surface()) {
+      item["has_rings"] = piece.topology.has_rings;
+      item["euler_characteristic"] = piece.topology.euler_characteristic();
+      item["orientable"] = piece.topology.orientable;
+      item["genus"] = piece.topology.genus;
+      item["boundary_loops"] = piece.topology.boundary_loops;
+    } else {
+      item["reason"] = piece.not_a_surface;
+    }
+    item["rings"] = name(piece.rings);
+    json.value(item);
   }
-  return list;
+  json.end();
 }
 
 std::map<std::string, std::size_t> kinds_of(std::span<const Defect> defects) {
@@ -85,15 +104,26 @@ std::map<std::string, std::size_t> kinds_of(std::span<const Defect> defects) {
   return kinds;
 }
 
-Json defects_json(std::span<const Defect> defects, std::span<const std::int64_t> ids) {
-  Json list = Json::array();
-  for (const Defect& defect : defects)
-    list.push_back({{"kind", defect.kind},
-                    {"ring_sizes", defect.ring_sizes},
-                    {"rings", defect.rings},
-                    {"atoms", named(defect.atoms, ids)},
-                    {"position", {defect.position.x(), defect.position.y(), defect.position.z()}}});
-  return {{"count", defects.size()}, {"by_kind", kinds_of(defects)}, {"list", std::move(list)}};
+void write_defects(JsonWriter& json, std::span<const Defect> defects, std::span<const std::int64_t> ids) {
+  json.key("defects");
+  json.begin_object();
+  write(json, "count", defects.size());
+  write(json, "by_kind", kinds_of(defects));
+  json.key("list");
+  json.begin_list();
+  NamedLists lists(json, ids);
+  for (const Defect& defect : defects) {
+    json.begin_object();
+    write(json, "kind", defect.kind);
+    write(json, "ring_sizes", defect.ring_sizes);
+    write(json, "rings", defect.rings);
+    json.key("atoms");
+    lists.write(defect.atoms);
+    write(json, "position", {defect.position.x(), defect.position.y(), defect.position.z()});
+    json.end();
+  }
+  json.end();
+  json.end();
 }
 
 Json cell_json(const Molecule& molecule) {
@@ -147,66 +177,77 @@ FrameSummary summarise(const Molecule& molecule, const Analysis& analysis) {
   return frame;
 }
 
-Json analysis_json(const Molecule& molecule, std::span<const std::int64_t> ids, const Analysis& analysis) {
+void write_analysis_json(JsonWriter& json, const Molecule& molecule, std::span<const std::int64_t> ids,
+                         const Analysis& analysis) {
   const BondDistributions& b = analysis.bonds;
   const Pieces& p = analysis.pieces;
-  Json json = {{"atoms", molecule.size()},
-               {"carbons", b.carbons},
-               {"hydrogens", b.hydrogens},
-               {"cell", cell_json(molecule)},
-               {"bonds",
-                {{"C-C", distribution_json(b.carbon_carbon)},
-                 {"C-H", distribution_json(b.carbon_hydrogen)},
-                 {"H-H", distribution_json(b.hydrogen_hydrogen)}}},
-               {"angles", distribution_json(b.angles)}};
+  write(json, "atoms", molecule.size());
+  write(json, "carbons", b.carbons);
+  write(json, "hydrogens", b.hydrogens);
+  write(json, "cell", cell_json(molecule));
+  json.key("bonds");
+  json.begin_object();
+  write(json, "C-C", distribution_json(b.carbon_carbon));
+  write(json, "C-H", distribution_json(b.carbon_hydrogen));
+  write(json, "H-H", distribution_json(b.hydrogen_hydrogen));
+  json.end();
+  write(json, "angles", distribution_json(b.angles));
   Json coordination = Json::object();
   for (std::size_t n = 0; n < b.carbons_with.size(); ++n)
     if (b.carbons_with[n] > 0) coordination[std::to_string(n)] = b.carbons_with[n];
-  json["coordination"] = coordination;
-  json["hybridisation"] = {{"sp", b.share_with(2)}, {"sp2", b.share_with(3)}, {"sp3", b.share_with(4)}};
-  json["surface"] = p.all_surfaces();
-  if (p.all_surfaces() && !p.surface.problem)
-    json.update({{"euler_characteristic", p.surface.euler_characteristic},
-                 {"orientable", p.surface.orientable},
-                 {"genus", p.surface.genus},
-                 {"boundary_loops", p.surface.boundary_loops}});
-  json["rings"] = rings_json(p, ids);
-  json["pieces"] = pieces_json(p, ids);
-  json["defects"] = defects_json(analysis.defects, ids);
-  json["pyramidalisation"] = distribution_json(analysis.pyramidalisation);
-  json["mean_curvature"] = distribution_json(analysis.mean_curvature);
-  json["gaussian_curvature"] = distribution_json(analysis.gaussian_curvature);
+  write(json, "coordination", coordination);
+  write(json, "hybridisation", {{"sp", b.share_with(2)}, {"sp2", b.share_with(3)}, {"sp3", b.share_with(4)}});
+  write(json, "surface", p.all_surfaces());
+  if (p.all_surfaces() && !p.surface.problem) {
+    write(json, "euler_characteristic", p.surface.euler_characteristic);
+    write(json, "orientable", p.surface.orientable);
+    write(json, "genus", p.surface.genus);
+    write(json, "boundary_loops", p.surface.boundary_loops);
+  }
+  write_rings(json, p, ids);
+  write_pieces(json, p, ids);
+  write_defects(json, analysis.defects, ids);
+  write(json, "pyramidalisation", distribution_json(analysis.pyramidalisation));
+  write(json, "mean_curvature", distribution_json(analysis.mean_curvature));
+  write(json, "gaussian_curvature", distribution_json(analysis.gaussian_curvature));
   if (analysis.energy)
-    json["energy"] = {{"potential", analysis.potential},
-                      {"total", *analysis.energy},
-                      {"per_atom", *analysis.energy / static_cast<double>(molecule.size())}};
-  return json;
+    write(json, "energy",
+          {{"potential", analysis.potential},
+           {"total", *analysis.energy},
+           {"per_atom", *analysis.energy / static_cast<double>(molecule.size())}});
 }
 
-Json frame_json(const FrameSummary& frame) {
+void write_frame_json(JsonWriter& json, const FrameSummary& frame) {
   const FrameChange& c = frame.change;
-  const auto list = [](std::span<const topology::BondedIds> bonds) {
-    Json result = Json::array();
-    for (const topology::BondedIds& bond : bonds) result.push_back({bond.first, bond.second});
-    return result;
+  const auto bonds = [&](std::string_view key, std::span<const topology::BondedIds> list) {
+    json.key(key);
+    json.begin_list();
+    for (const topology::BondedIds& bond : list) json.numbers(std::array{bond.first, bond.second});
+    json.end();
   };
-  Json json = {{"file", frame.file}, {"frame", frame.frame}};
-  if (frame.step) json["step"] = *frame.step;
-  json.update({{"atoms", frame.atoms},
-               {"bonds", frame.bonds},
-               {"pieces", frame.pieces},
-               {"rings", counts_json(frame.ring_counts)},
-               {"defects", frame.defects},
-               {"mean_bond", frame.bond_mean},
-               {"verdict", topology::name(c.verdict)}});
-  if (!c.reason.empty()) json["reason"] = c.reason;
-  json.update({{"broken", list(c.changes.broken)},
-               {"formed", list(c.changes.formed)},
-               {"repelled", c.repelled},
-               {"lost", c.lost},
-               {"added", c.added}});
-  if (frame.energy) json["energy"] = *frame.energy;
-  return json;
+  const auto atoms = [&](std::string_view key, std::span<const std::int64_t> list) {
+    json.key(key);
+    json.numbers(list);
+  };
+  json.begin_object();
+  write(json, "file", frame.file);
+  write(json, "frame", frame.frame);
+  if (frame.step) write(json, "step", *frame.step);
+  write(json, "atoms", frame.atoms);
+  write(json, "bonds", frame.bonds);
+  write(json, "pieces", frame.pieces);
+  write(json, "rings", counts_json(frame.ring_counts));
+  write(json, "defects", frame.defects);
+  write(json, "mean_bond", frame.bond_mean);
+  write(json, "verdict", topology::name(c.verdict));
+  if (!c.reason.empty()) write(json, "reason", c.reason);
+  bonds("broken", c.changes.broken);
+  bonds("formed", c.changes.formed);
+  atoms("repelled", c.repelled);
+  atoms("lost", c.lost);
+  atoms("added", c.added);
+  if (frame.energy) write(json, "energy", *frame.energy);
+  json.end();
 }
 
 std::string analysis_table(const Molecule& molecule, std::span<const std::int64_t> ids,

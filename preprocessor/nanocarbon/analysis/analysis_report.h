@@ -2,10 +2,10 @@
 // What an analysis has found, as JSON and as a table.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "nanocarbon/analysis/analyse.h"
+#include "nanocarbon/analysis/json_writer.h"
 
 namespace nanocarbon::analysis {
 
@@ -25,13 +25,14 @@ struct FrameSummary {
 
 FrameSummary summarise(const Molecule& molecule, const Analysis& analysis);
 
-//! \brief An analysis as JSON: keys are documented in preprocessor/doc/analysis.md.
+//! \brief An analysis as members of the JSON object that was begun: keys are documented in
+//! preprocessor/doc/analysis.md.
 //! \param ids of the atoms: lists of atoms are lists of these
-nlohmann::ordered_json analysis_json(const Molecule& molecule, std::span<const std::int64_t> ids,
-                                     const Analysis& analysis);
+void write_analysis_json(JsonWriter& json, const Molecule& molecule, std::span<const std::int64_t> ids,
+                         const Analysis& analysis);
 
-//! A frame's line of the list `frames`.
-nlohmann::ordered_json frame_json(const FrameSummary& frame);
+//! An item of the list `frames`.
+void write_frame_json(JsonWriter& json, const FrameSummary& frame);
 
 //! The gist for a terminal, a fact a line.
 std::string analysis_table(const Molecule& molecule, std::span<const std::int64_t> ids,
