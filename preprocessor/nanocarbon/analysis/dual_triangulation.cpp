@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "nanocarbon/core/error.h"
@@ -31,9 +32,15 @@ struct Corners {
 class Triangulation {
  public:
   Triangulation(const Molecule& molecule, topology::EmbeddedGraph graph, int max_ring)
-      : molecule_(molecule), graph_(std::move(graph)), max_ring_(max_ring), corners_(molecule.size()) {}
+      : molecule_(molecule),
+        graph_(std::move(graph)),
+        max_ring_(max_ring),
+        space_(molecule.cell),
+        corners_(molecule.size()) {}
 
   DualTriangulation make() {
+    constexpr double short_edge = 2.0;  // Angstrom: between the middles of rings that share a stretched bond
+    require_width(short_edge);
     topology::RotationSystem rotation = topology::rotation_system(graph_);
     if (!rotation.skeleton.problem) topology::orient(graph_, rotation);
     if (rotation.skeleton.problem) refuse(rotation.skeleton.problem->reason);
@@ -58,6 +65,16 @@ class Triangulation {
     return rotation.bare_cycle[rotation.skeleton.component[atom]] != 0;
   }
 
+  // Meshes in a cell are told by nearest images: no edge is longer than a third of the least width.
+  void require_width(double edge) const {
+    constexpr double slack = 1.0 + 1e-6;
+    if (space_.least_width() * slack < 3.0 * edge)
+      refuse(fmt::format(
+          "its periodic cell is only {:.3g} Angstrom wide, and edges of the triangulation, of up to {:.3g}, "
+          "fit in it three times or more; repeat the cell first",
+          space_.least_width(), edge));
+  }
+
   std::uint32_t new_vertex() {
     incident_.emplace_back();
     fixed_.push_back(0);
@@ -77,10 +94,13 @@ class Triangulation {
   void add_ring(const topology::Faces& faces, std::uint32_t begin, std::uint32_t size) {
     const std::uint32_t vertex = new_vertex();
     fixed_[vertex] = 1;
+    Vec3 along = Vec3::Zero(), sum = Vec3::Zero();  // from the ring's first atom, across the cell's faces
     for (std::uint32_t k = begin; k < begin + size; ++k) {
-      points_[vertex] += molecule_.positions[faces.atoms[k]] / size;
+      sum += along;
+      along += graph_.vectors[faces.half_edges[k]];
       add_corner(faces.atoms[k], faces.half_edges[k], vertex);
     }
+    points_[vertex] = molecule_.positions[faces.atoms[begin]] + sum / size;
   }
 
   // Around a hole a new vertex begins at each atom whose third bond is missing.
@@ -119,8 +139,9 @@ class Triangulation {
       if (fixed_[v]) continue;
       free.push_back(v);
       Vec3 outwards = Vec3::Zero(), middle = Vec3::Zero();
+      const Vec3& first = molecule_.positions[incident_[v].front()];
       for (const AtomIndex a : incident_[v]) {
-        middle += molecule_.positions[a] / static_cast<double>(incident_[v].size());
+        middle += space_.beside(molecule_.positions[a], first) / static_cast<double>(incident_[v].size());
         Vec3 bonds = Vec3::Zero();
         for (std::uint32_t h = graph_.offsets[a]; h < graph_.offsets[a + 1]; ++h)
           if (graph_.elements[graph_.ends[h]] == Element::carbon) bonds += graph_.vectors[h];
@@ -134,8 +155,8 @@ class Triangulation {
         for (const AtomIndex a : incident_[v]) {
           Vec3 others = Vec3::Zero();
           for (const Corner& c : corners_[a].corner)
-            if (c.vertex != v) others += points_[c.vertex];
-          sum += 3.0 * molecule_.positions[a] - others;
+            if (c.vertex != v) others += space_.beside(points_[c.vertex], points_[v]);
+          sum += 3.0 * space_.beside(molecule_.positions[a], points_[v]) - others;
         }
         points_[v] = sum / static_cast<double>(incident_[v].size());
       }
@@ -158,6 +179,15 @@ class Triangulation {
     return triangle;
   }
 
+  static double longest_edge(const TriangleMesh& mesh) {
+    double longest = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+      const auto [a, b, c] = corners_of(mesh, t);
+      longest = std::max({longest, (b - a).norm(), (c - b).norm(), (a - c).norm()});
+    }
+    return longest;
+  }
+
   DualTriangulation assemble(const topology::RotationSystem& rotation) {
     for (AtomIndex a = 0; a < corners_.size(); ++a)
       if (corners_[a].count > 0 && corners_[a].count < 3)
@@ -165,6 +195,7 @@ class Triangulation {
     place_rim();
     DualTriangulation result;
     result.mesh.points = points_;
+    result.mesh.space = space_;
     for (AtomIndex a = 0; a < corners_.size(); ++a) {
       if (corners_[a].count == 0) continue;
       const Triangle t = triangle_of(rotation, a);
@@ -174,12 +205,14 @@ class Triangulation {
       result.atoms.push_back(a);
     }
     if (result.atoms.empty()) refuse("it has no rings");
+    require_width(longest_edge(result.mesh));
     return result;
   }
 
   const Molecule& molecule_;
   topology::EmbeddedGraph graph_;
   int max_ring_;
+  Space space_;
   const std::vector<std::uint8_t>* degree_ = nullptr;
   std::vector<Corners> corners_;  // of each atom
   std::vector<Vec3> points_;
@@ -191,9 +224,6 @@ class Triangulation {
 
 DualTriangulation dual_triangulation(const Molecule& molecule, std::span<const std::int64_t> ids,
                                      int max_ring) {
-  if (molecule.cell &&
-      (molecule.cell->periodic[0] || molecule.cell->periodic[1] || molecule.cell->periodic[2]))
-    refuse("it is periodic, and files of meshes have no cell");
   topology::EmbeddedGraph graph = molecule::embedded_graph(molecule);
   graph.ids.assign(ids.begin(), ids.end());
   return Triangulation(molecule, std::move(graph), max_ring).make();

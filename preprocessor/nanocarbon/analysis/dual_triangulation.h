@@ -18,9 +18,10 @@ struct DualTriangulation {
 //! lie between each two bonds that are missing there, placed so that the middles of the triangles come as near to
 //! their atoms as can be. A hole of more atoms than a ring may have and no bond missing becomes a vertex. Hydrogen
 //! and carbon that hangs on by one bond have no triangles; pieces without rings have none. The dual of the result
-//! has the same bonds, at places that differ a little.
-//! \throw UserError (unsuitable) naming the atom where the molecule is no surface, is periodic, or has a rim that no
-//! triangulation has (fewer than three bonds missing, or an atom with a hole on both sides)
+//! has the same bonds, at places that differ a little. In a periodic cell the mesh is in that cell.
+//! \throw UserError (unsuitable) naming the atom where the molecule is no surface, has a rim that no
+//! triangulation has (fewer than three bonds missing, or an atom with a hole on both sides), or a cell narrower than three
+//! edges
 DualTriangulation dual_triangulation(const Molecule& molecule, std::span<const std::int64_t> ids,
                                      int max_ring = 12);
 
