@@ -184,6 +184,19 @@ TEST_P(LaneEvaluationOf, TakesCarbonOfEveryCoordinationThatFits) {
     }
 }
 
+TEST_P(LaneEvaluationOf, TakesAtomsWithoutBonds) {
+  Molecule m;
+  expect_same(m, "nothing");
+  for (const double x : {0.0, 5.0, 10.0}) {
+    m.positions.emplace_back(x, 0, 0);
+    m.elements.push_back(x == 5.0 ? Element::hydrogen : Element::carbon);
+    expect_same(m, std::to_string(m.size()) + " apart");
+  }
+  const Surroundings s(m);
+  evaluate(s);
+  expect_same(s, evaluate_again(s), m.size(), "again");
+}
+
 TEST_P(LaneEvaluationOf, LeavesMoreBondsThanThatAlone) {
   EXPECT_FALSE(evaluate(Surroundings(star(lane_most_bonds + 1))));
   EXPECT_TRUE(evaluate(Surroundings(star(lane_most_bonds))));

@@ -95,8 +95,7 @@ bool LaneNodes::add(std::uint32_t atom) {
 }
 
 void LaneNodes::measure_from(std::uint32_t node, std::uint32_t edge) {
-  if (edge_count_ == 0) return;
-  for (std::size_t n = 0; n < lane_block; ++n) {
+  for (std::size_t n = 0; edge_count_ > 0 && n < lane_block; ++n) {
     from_[edge_count_ + n] = from_[edge_count_ - 1];
     to_[edge_count_ + n] = to_[edge_count_ - 1];
     pair_[edge_count_ + n] = pair_[edge_count_ - 1];
@@ -104,7 +103,7 @@ void LaneNodes::measure_from(std::uint32_t node, std::uint32_t edge) {
   const std::size_t records = 4 * (edge_count_ + lane_block);
   for (auto* array : {&geometry_, &weights_, &gradient_})
     if (array->size() < records) array->resize(records + records / 4);
-  loops_.measure(edges(nullptr), edge, edge_count_);
+  if (edge < edge_count_) loops_.measure(edges(nullptr), edge, edge_count_);
   is_steady_.resize(nodes_.size());
   for (; node < nodes_.size(); ++node) {
     const LaneNode& at = nodes_[node];
