@@ -61,6 +61,36 @@ TEST(SelfIntersections, BeyondASharedVertex) {
   EXPECT_THAT(self_intersections(mesh).pairs, IsEmpty());
 }
 
+// Triangles in one plane with corners on a lattice, where nothing is rounded.
+TEST(SelfIntersections, AroundASharedVertexTheyMeetWhereTheirCornersOverlap) {
+  struct Step {
+    int x, y;
+  };
+  std::vector<Step> steps;
+  for (int x = -2; x <= 2; ++x)
+    for (int y = -2; y <= 2; ++y)
+      if (x != 0 || y != 0) steps.push_back({x, y});
+  const auto turn = [](Step a, Step b) { return a.x * b.y - a.y * b.x; };
+  const auto place = [](Step a) { return Vec3(a.x, a.y, a.x + 2 * a.y); };
+  int meeting = 0, apart = 0;
+  for (const Step a : steps)
+    for (const Step b : steps) {
+      if (turn(a, b) <= 0 || (a.x + 2 * a.y + b.x) % 3 != 0) continue;
+      for (const Step c : steps)
+        for (const Step d : steps) {
+          if (turn(c, d) <= 0) continue;
+          const auto holds = [&](Step p, Step q, Step w) { return turn(p, w) >= 0 && turn(w, q) >= 0; };
+          const bool expected = holds(a, b, c) || holds(a, b, d) || holds(c, d, a) || holds(c, d, b);
+          TriangleMesh mesh{{place({0, 0}), place(a), place(b), place(c), place(d)}, {{0, 1, 2}, {3, 4, 0}}};
+          ASSERT_EQ(intersect(mesh, mesh.triangles[0], mesh.triangles[1]), expected)
+              << a.x << a.y << " " << b.x << b.y << " " << c.x << c.y << " " << d.x << d.y;
+          (expected ? meeting : apart) += 1;
+        }
+    }
+  EXPECT_GT(meeting, 1000);
+  EXPECT_GT(apart, 1000);
+}
+
 TEST(SelfIntersections, FoldedFlatAlongASharedEdge) {
   TriangleMesh mesh{{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(1, 2, 0), Vec3(1, 1, 0)}, {{0, 1, 2}, {1, 0, 3}}};
   EXPECT_THAT(self_intersections(mesh).pairs, SizeIs(1));

@@ -72,6 +72,15 @@ bool sides_meet(const Corners& s, const Corners& t) {
   return meets(s.a, s.b, t) || meets(s.b, s.c, t) || meets(s.c, s.a, t);
 }
 
+// Certain, whatever is rounded: from the corner that they share, the triangles go to different sides of a plane.
+bool part_at_common_corner(const Corners& s, const Corners& t) {
+  const Vec3 sb = s.b - s.a, sc = s.c - s.a, tb = t.b - s.a, tc = t.c - s.a;
+  const Vec3 away = sb.normalized() + sc.normalized() - tb.normalized() - tc.normalized();
+  const double margin = 1e-9 * away.norm();
+  return away.dot(sb) > margin * sb.norm() && away.dot(sc) > margin * sc.norm() &&
+         away.dot(tb) < -margin * tb.norm() && away.dot(tc) < -margin * tc.norm();
+}
+
 // The triangle's corners, the vertices it shares first. Rotated only, so that it keeps its winding.
 int bring_shared_first(Triangle& triangle, const Triangle& other) {
   const auto shared = [&](VertexIndex v) { return std::find(other.begin(), other.end(), v) != other.end(); };
@@ -96,6 +105,7 @@ bool intersect(const TriangleMesh& mesh, const Triangle& first, const Triangle& 
   if (shared == 0)
     return !all_on_one_side(s, t) && !all_on_one_side(t, s) && (sides_meet(s, t) || sides_meet(t, s));
   // From the vertex that they share, what they have in common reaches out to the far side of one of them.
+  if (shared == 1 && part_at_common_corner(s, t)) return false;
   if (shared == 1) return meets(s.b, s.c, t) || meets(t.b, t.c, s);
   if (shared == 3) return true;
   // With a common edge they meet only when folded flat upon each other.
