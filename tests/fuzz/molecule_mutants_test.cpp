@@ -109,7 +109,9 @@ TEST_P(MoleculeMutants, EveryTruncationIsRefusedOrComesOutAsPromised) {
 // What is broken from the start tests no more than the first line of a reader.
 TEST_P(MoleculeMutants, BeginFromWhatIsRead) {
   const test::Seed seed = test::molecule_seeds()[GetParam()];
-  EXPECT_GT(test::atoms_read(seed.contents, seed.file, {.types = {"C", "H"}}), 0u) << seed.file;
+  molecule::MoleculeReadOptions options;
+  if (seed.file == "CONTCAR") options.types = {"C"};  // of VASP 4, without elements
+  EXPECT_GT(test::atoms_read(seed.contents, seed.file, options), 0u) << seed.file;
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryFormat, MoleculeMutants, testing::Range<std::size_t>(0, 16));

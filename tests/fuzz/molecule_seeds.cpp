@@ -47,14 +47,14 @@ void add_dumps(std::vector<Seed>& seeds) {
 
 void add_xyz(std::vector<Seed>& seeds) {
   seeds.push_back(
-      {"a.xyz", "3\n\nC 0 0 0\nc2 1.4 0 0\nH 2.4D+00 0.1 -1e-1\n2\nsecond\nC 0 0 0\n6 1.4 0 0 9 9\n"});
+      {"a.xyz", "3\n\nC 0 0 0\nc2 1.4 0 0\nH 2.4D+00 0.1 -1e-1\n2\nsecond\nC 0 0 0\nC 1.4 0 0 9 9\n"});
   seeds.push_back(
       {"b.xyz",
        "2\nLattice=\"4 0 0 0 4 0 1 0 4\" Origin=\"0 0 1\" pbc=\"T T F\" Time=0.5 generator=\"by "
        "\\\"hand\\\"\" "
        "Properties=species:S:1:pos:R:3:id:I:1:Z:I:1:bonded:I:2\nC 0 0 0 5 6 2 0\nH 1.1 0 0 6 1 1 0\n"});
   seeds.push_back(
-      {"c.xyz", "1\nLattice={4 0 0 0 4 0 0 0 4} Properties=pos:R:3:element:S:1 energy=-7.4\n0 0 0 C\n"});
+      {"c.xyz", "1\nLattice={4 0 0 0 4 0 0 0 4} Properties=pos:R:3:species:S:1 energy=-7.4\n0 0 0 C\n"});
 }
 
 // CIF: a space group by each of its names, listed operations, quotes, text fields, uncertainties.
@@ -80,7 +80,7 @@ void add_cif(std::vector<Seed>& seeds) {
        "dum\n_publ_section_comment\n;\ntext over\nlines\n;\n"});
   seeds.push_back({"d.cif", "data_one\n_space_group_IT_number 1\n" + cubic +
                                 "_atom_site_type_symbol H\n_atom_site_Cartn_x 0\n_atom_site_Cartn_y 0.5\n"
-                                "_atom_site_Cartn_z ?\ndata_two\nsave_frame\n_a b\nsave_\n" +
+                                "_atom_site_Cartn_z 0.25\ndata_two\nsave_frame\n_a b\nsave_\n" +
                                 cubic + atoms + "H1 0 0 0 1\n"});
 }
 
