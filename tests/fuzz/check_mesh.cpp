@@ -53,15 +53,28 @@ std::string broken_by_surface(const TriangleMesh& mesh) {
   return {};
 }
 
-// The same for a mesh that is sewn in its cell, where it can be.
+// The same for a mesh that is sewn in its cell, where it can be. load_surface() names the file where not.
 std::string broken_in_cell(const TriangleMesh& mesh, const Cell& cell) {
   std::vector<std::string> notes;
   try {
     const TriangleMesh sewn = mesh::in_cell(mesh, cell, {}, notes);
     return broken_by_topology(sewn, mesh::mesh_topology(sewn));
-  } catch (const UserError&) {  // load_surface() names the file
+  } catch (const UserError&) {
     return {};
   }
+}
+
+std::string broken_with_cell(const mesh::PolygonSoup& soup) {
+  std::optional<Cell> cell;
+  try {
+    cell = mesh::requested_cell({}, soup);
+  } catch (const UserError&) {
+    return {};
+  }
+  mesh::RepairedSurface repaired = mesh::repair_surface(soup);
+  if (cell) mesh::drop_findings_of_the_cut(repaired.diagnosis);
+  if (!repaired.diagnosis.usable()) return {};
+  return cell ? broken_in_cell(repaired.mesh, *cell) : broken_by_surface(repaired.mesh);
 }
 
 }  // namespace
@@ -71,11 +84,7 @@ std::string broken_promise(std::string_view contents, const std::string& file) {
     const mesh::PolygonSoup soup = mesh::parse_mesh(contents, file);
     const std::string broken = broken_by_soup(soup);
     if (!broken.empty()) return broken;
-    const std::optional<Cell> cell = mesh::requested_cell({}, soup);
-    mesh::RepairedSurface repaired = mesh::repair_surface(soup);
-    if (!cell) return repaired.diagnosis.usable() ? broken_by_surface(repaired.mesh) : std::string();
-    mesh::drop_findings_of_the_cut(repaired.diagnosis);
-    return repaired.diagnosis.usable() ? broken_in_cell(repaired.mesh, *cell) : std::string();
+    return broken_with_cell(soup);
   } catch (const UserError& error) {
     return std::string_view(error.what()).find(file) == std::string_view::npos
                ? "the message does not name the file"

@@ -117,8 +117,9 @@ TEST_P(MeshMutants, AreRefusedOrComeOutAsPromised) {
     test::reset_largest_allocation();
     ASSERT_EQ(test::broken_promise(text, seed.file), "") << seed.file << " mutant " << mutant << ":\n"
                                                          << text;
-    // What is read is a few times as large as the file; a promised count has no such bound.
-    ASSERT_LT(test::largest_allocation(), 200'000 + 100 * text.size())
+    // What is read is a few times as large as the file; a promised count has no such bound. A mesh in a cell is split.
+    const std::size_t split = text.find("Lattice") == text.npos ? 0 : 20'000'000;
+    ASSERT_LT(test::largest_allocation(), 200'000 + 100 * text.size() + split)
         << seed.file << " mutant " << mutant << ":\n"
         << text;
   }

@@ -76,6 +76,22 @@ TEST(SewInCell, SplitsEdgesThatAreLongForTheCell) {
   EXPECT_LE(edge_lengths(sewn.mesh).max, 0.25 + 1e-12);
 }
 
+// Whatever the numbers in a file are: no memory without bound, and an answer soon.
+TEST(SewInCell, RefusesEdgesThatAreFarTooLongForTheCell) {
+  for (const double length : {1e3, 1e6, 1e100, 1e200}) {
+    Cell cell;
+    cell.vectors.diagonal() = Vec3(4, 4, 1);
+    cell.periodic = {false, false, true};
+    const TriangleMesh mesh{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, length, 0)}, {{0, 1, 2}}};
+    try {
+      sew_in_cell(mesh, cell);
+      FAIL() << length;
+    } catch (const UserError& error) {
+      EXPECT_NE(std::string(error.what()).find("is this the right cell?"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(SewInCell, KeepsHolesAndDropsCaps) {
   TriangleMesh holed = sheet(12, 12);
   holed.triangles.erase(holed.triangles.begin() + 100, holed.triangles.begin() + 102);

@@ -14,13 +14,23 @@
 namespace nanocarbon::mesh {
 namespace {
 
+//! What of a mesh's cell, which the file may say, is refused without knowing of a file: with its name.
+template <class Take>
+auto naming_file(const std::filesystem::path& path, const Take& take) {
+  try {
+    return take();
+  } catch (const UserError& error) {
+    throw UserError(error.failure(), fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
 LoadedSurface examine(const std::filesystem::path& path, const CellRequest& request, double close_holes,
                       std::vector<std::string>& mended) {
   PolygonSoup soup = read_mesh(path);
   LoadedSurface surface;
   surface.vertices_read = soup.points.size();
   surface.faces_read = soup.faces();
-  surface.cell = requested_cell(request, soup);
+  surface.cell = naming_file(path, [&] { return requested_cell(request, soup); });
   RepairedSurface repaired = repair_surface(std::move(soup), close_holes);
   mended = std::move(repaired.mended);
   surface.mesh = std::move(repaired.mesh);
@@ -59,11 +69,8 @@ LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions&
                                 "give --periodic or --cell",
                                 path.string()));
   if (!surface.cell) return surface;
-  try {
-    surface.mesh = in_cell(surface.mesh, *surface.cell, options.cell, surface.repairs);
-  } catch (const UserError& error) {
-    throw UserError(error.failure(), fmt::format("{}: {}", path.string(), error.what()));
-  }
+  surface.mesh =
+      naming_file(path, [&] { return in_cell(surface.mesh, *surface.cell, options.cell, surface.repairs); });
   return surface;
 }
 

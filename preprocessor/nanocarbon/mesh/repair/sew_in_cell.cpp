@@ -26,6 +26,9 @@ namespace {
 constexpr double nearly_same = 0.1, same_line = 0.25;
 // In least widths.
 constexpr double longest_edge = 0.25;
+// Triangles that a mesh is split into at most, and as many more for each that it has: a file of a few lines can ask for
+// any number.
+constexpr double most_parts = 50'000, most_parts_of_one = 100;
 
 struct BoundaryEdge {
   VertexIndex from, to;
@@ -114,6 +117,16 @@ class Sewing {
 
   void split_long_edges() {
     const double limit = longest_edge * space_.least_width();
+    double parts = 0.0;
+    for (const Triangle& t : mesh_.triangles) {
+      const auto [a, b, c] = corners_of(mesh_, t);
+      parts += 1.0 + std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}) /
+                         (limit * limit);
+    }
+    if (!(parts <= most_parts + most_parts_of_one * static_cast<double>(mesh_.triangles.size())))
+      fail(fmt::format("its edges are so long against the cell that it would be split into {:.1e} triangles",
+                       parts),
+           "is this the right cell?");
     for (bool split = true; split;) {
       split = false;
       const EdgeTable edges = edge_table(soup_of(mesh_));
