@@ -7,6 +7,8 @@
 #include <clocale>
 #include <locale>
 
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/formats/load_surface.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -81,6 +83,21 @@ TEST_F(ReadMesh, TheLocaleDoesNotMatter) {
   std::setlocale(LC_NUMERIC, "C");
   std::locale::global(before);
   EXPECT_EQ(x, 0.5);
+}
+
+// Whatever is refused of the cell in a file's comment, the message says which file has it.
+TEST_F(ReadMesh, RefusalsOfACellNameTheFile) {
+  const std::string square = "4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  for (const std::string vectors :
+       {"1 0 0 9 1 0 0 0 1", "0 1 0 1 0 0 0 0 1", "1 0 0 0 1 0 0 0 0", "0.01 0 0 0 2 0 0 0 2"}) {
+    const auto path = file("cell.off", "OFF\n# Lattice=\"" + vectors + "\"\n" + square);
+    try {
+      load_surface(path);
+      ADD_FAILURE() << vectors;
+    } catch (const UserError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(path.string())) << vectors;
+    }
+  }
 }
 
 }  // namespace
