@@ -9,7 +9,9 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/potential/rebo2/rebo2.h"
+#include "nanocarbon/shapes/formula_surface.h"
 #include "nanocarbon/shapes/periodic_shapes.h"
+#include "nanocarbon/structures/tube.h"
 
 namespace nanocarbon::building {
 namespace {
@@ -71,6 +73,50 @@ TEST(PeriodicBuild, KeepsTheTopologyOfTheCellAndIsStressFree) {
                     static_cast<double>(m.size()),
                 2 * energy, 1e-8);
   }
+}
+
+TriangleMesh formula(const std::string& text, const Vec3& period, std::array<bool, 3> periodic) {
+  shapes::FormulaSurface surface;
+  surface.formula = text;
+  surface.cell = orthogonal_cell(period, periodic);
+  surface.edge = 1;
+  return shapes::make_formula_surface(surface);
+}
+
+void expect_hexagons(const Molecule& molecule) {
+  for (std::size_t r = 0; r < molecule.rings.size(); ++r) EXPECT_EQ(molecule.rings[r].size(), 6u);
+}
+
+TEST(PeriodicBuild, ACylinderBecomesATubeWithoutADefect) {
+  for (const Quality quality : {Quality::draft, Quality::good}) {
+    BuildOptions options = drafts(400);
+    options.quality = quality;
+    const BuildResult result =
+        build_molecule(formula("sqrt(x^2 + y^2) - 6.785", Vec3(30, 30, 24.6), {false, false, true}), options);
+    EXPECT_EQ(result.molecule.size(), 400u);
+    expect_hexagons(result.molecule);
+    Molecule tube = structures::periodic_tube(10, 10, 10);
+    rebo2::Rebo2 potential;
+    const auto relaxed =
+        minimisation::minimise_in_cell(tube, potential, minimisation::CellRelaxation::isotropic);
+    EXPECT_NEAR(result.annealed->energy, relaxed.minimum.energy / static_cast<double>(tube.size()), 1e-3);
+  }
+}
+
+TEST(PeriodicBuild, ASheetBecomesGraphene) {
+  BuildOptions options = drafts(400);
+  options.relax_cell = minimisation::CellRelaxation::triclinic;
+  const BuildResult flat = build_molecule(formula("z", Vec3(30, 33, 20), {true, true, false}), options);
+  expect_hexagons(flat.molecule);
+  EXPECT_NEAR(flat.annealed->energy, graphene, 1e-4);
+  options.relax_cell.reset();  // or the ripple would go
+  const BuildResult rippled = build_molecule(
+      formula("z - 1.5*sin(2*pi*x/30)*sin(2*pi*y/33)", Vec3(30, 33, 20), {true, true, false}), options);
+  expect_hexagons(rippled.molecule);
+  EXPECT_TRUE(rippled.annealed->intact);
+  double highest = 0;
+  for (const Vec3& p : rippled.molecule.positions) highest = std::max(highest, std::abs(p.z()));
+  EXPECT_GT(highest, 0.7);
 }
 
 TEST(PeriodicBuild, RefusesWhatItDoesNotKnow) {

@@ -2,9 +2,29 @@
 #include "nanocarbon/annealing/refine_network.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
+#include "nanocarbon/shapes/goldberg_coxeter.h"
+
 namespace nanocarbon::annealing {
+
+namespace {
+
+SwitchingState state_of(const TriangleMesh& triangulation, const SwitchingState& coarse) {
+  SwitchingState state;
+  state.network = trivalent_network(triangulation);
+  state.tether = coarse.tether;
+  state.free_mean = coarse.free_mean;
+  state.space = triangulation.space;
+  for (const Triangle& t : triangulation.triangles) {
+    const auto [a, b, c] = corners_of(triangulation, t);
+    state.positions.push_back((a + b + c) / 3);
+  }
+  return state;
+}
+
+}  // namespace
 
 SwitchingState refined_in_four(const SwitchingState& coarse, const TetherSurface& finer_surface) {
   TriangleMesh mesh = triangulation_of(coarse.network, coarse.positions, coarse.space);
@@ -29,16 +49,16 @@ SwitchingState refined_in_four(const SwitchingState& coarse, const TetherSurface
     fine.triangles.push_back({t[2], m[1], m[0]});
     fine.triangles.push_back({m[0], m[1], m[2]});
   }
-  SwitchingState state;
-  state.network = trivalent_network(fine);
-  state.tether = coarse.tether;
-  state.free_mean = coarse.free_mean;
-  state.space = fine.space;
-  for (const Triangle& t : fine.triangles) {
-    const auto [a, b, c] = corners_of(fine, t);
-    state.positions.push_back((a + b + c) / 3);
-  }
-  return state;
+  return state_of(fine, coarse);
+}
+
+SwitchingState refined_by(const SwitchingState& coarse, int h, int k, const TetherSurface& finer_surface) {
+  TriangleMesh mesh = triangulation_of(coarse.network, coarse.positions, coarse.space);
+  rescale(mesh, std::sqrt(static_cast<double>(h * h + h * k + k * k)));
+  TriangleMesh fine = shapes::goldberg_coxeter(mesh, h, k);
+  fine.space = finer_surface.space();
+  for (Vec3& p : fine.points) p = finer_surface.nearest(p);
+  return state_of(fine, coarse);
 }
 
 }  // namespace nanocarbon::annealing

@@ -11,4 +11,10 @@ namespace nanocarbon::annealing {
 //! length, and put back on the surface, which has to be the one for the new size.
 SwitchingState refined_in_four(const SwitchingState& coarse, const TetherSurface& finer_surface);
 
+//! \brief A molecule with h^2 + h k + k^2 times the atoms and the same defects: the Goldberg-Coxeter subdivision of
+//! its triangulation.
+//! \details Else as above; (2, 0) is the same.
+//! \pre the molecule has no boundary
+SwitchingState refined_by(const SwitchingState& coarse, int h, int k, const TetherSurface& finer_surface);
+
 }  // namespace nanocarbon::annealing

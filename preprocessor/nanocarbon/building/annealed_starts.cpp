@@ -15,20 +15,12 @@ namespace nanocarbon::building {
 
 namespace {
 
-// What is refined from a coarse level has its order already and is held by this share of the default tether,
-// so that it can buckle where that is cheaper, and by all that is asked beyond.
-constexpr double refined_tether_share = 0.2;
-
 // Annealing at full size hardly ever leaves less than this of a start's energy above graphene, or of its
 // distance to the surface.
 constexpr double least_left = 0.75;
 
 // A cell narrower than this has vertices that meet through two images, and levels in it are not tried. Angstrom.
 constexpr double least_width = 9;
-
-double refined_tether(double tether) {
-  return tether - (1 - refined_tether_share) * std::min(tether, default_tether);
-}
 
 // With the progress of this stage told.
 annealing::BondSwitchingOptions told(annealing::BondSwitchingOptions schedule, std::string_view stage,

@@ -15,7 +15,9 @@ namespace nanocarbon::building {
 struct AnnealedStart {
   annealing::AnnealingLevel level;
   Released released;
-  int refinements = 0;  //!< times that it was refined
+  int refinements = 0;             //!< times that it was refined
+  Mat3 strain = Mat3::Identity();  //!< of a periodic cell, and the surface in it, that it was annealed in
+  Mat3 deformation = Mat3::Identity();  //!< of that cell, further, once it is let go
 };
 
 //! \brief Refines a coarse molecule to full size and anneals it shortly on the way.

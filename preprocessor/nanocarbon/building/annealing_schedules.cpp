@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/annealing_schedules.h"
 
+#include <algorithm>
+
 namespace nanocarbon::building {
 
 namespace {
@@ -50,6 +52,11 @@ annealing::BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone
     single = hot_schedule(atoms, refinements_for(atoms, options.quality) == 0, options);
   if (options.quality == Quality::best) single.blocks = 48;
   return single;
+}
+
+double refined_tether(double tether) {
+  constexpr double share = 0.2;
+  return tether - (1 - share) * std::min(tether, default_tether);
 }
 
 annealing::BondSwitchingOptions refined_schedule(std::size_t atoms, const AnnealOptions& options) {

@@ -24,6 +24,10 @@ annealing::BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, 
 annealing::BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone,
                                                    const AnnealOptions& options);
 
+//! The tether of what is refined from a coarse level: it has its order already and is held by a fifth of the default
+//! tether, so that it can buckle where that is cheaper, and by all that is asked beyond.
+double refined_tether(double tether);
+
 //! For a molecule refined from a coarser level, which is already ordered.
 annealing::BondSwitchingOptions refined_schedule(std::size_t atoms, const AnnealOptions& options);
 

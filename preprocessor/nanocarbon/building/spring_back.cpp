@@ -3,6 +3,8 @@
 
 #include "nanocarbon/annealing/fixed_bond_model.h"
 #include "nanocarbon/annealing/surface_fit.h"
+#include "nanocarbon/building/potential_choice.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
 
 namespace nanocarbon::building {
 
@@ -25,6 +27,30 @@ Released spring_back(const annealing::SwitchingState& state, const annealing::Te
   result.energy = released.energy / count;
   const annealing::Similarity fit = annealing::fit_to_surface(positions, surface, with_scale);
   for (const Vec3& p : positions) result.mean_distance += surface.distance(fit(p)) / count;
+  return result;
+}
+
+Released spring_back_in_cell(const annealing::SwitchingState& state, const TriangleMesh& surface,
+                             minimisation::CellRelaxation strains, Mat3& deformation) {
+  deformation.setIdentity();
+  annealing::FixedBondModel model;
+  model.rebo2.set_graph(annealing::fixed_bond_graph(state.network, state.space));
+  std::vector<Vec3> positions = state.positions;
+  annealing::minimise_fixed_bonds(model, nullptr, positions,
+                                  {.max_iterations = 300, .force_tolerance = 20 * force_tolerance});
+  Molecule molecule = annealing::molecule_of(state.network, positions, state.space);
+  const std::unique_ptr<potential::Potential> potential = make_potential(PotentialChoice::rebo2);
+  const minimisation::CellMinimum relaxed = minimisation::minimise_in_cell(
+      molecule, *potential, strains, {.force_tolerance = force_tolerance, .max_iterations = iterations});
+  if (!relaxed.minimum.intact) return spring_back(state, annealing::TetherSurface(surface, 1), false);
+  deformation = relaxed.deformation;
+  TriangleMesh strained = surface;
+  mesh::deform(strained, deformation);
+  const annealing::TetherSurface tether_surface(strained, 1);
+  const annealing::Similarity fit = annealing::fit_to_surface(molecule.positions, tether_surface, false);
+  const auto count = static_cast<double>(molecule.size());
+  Released result{.energy = relaxed.minimum.energy / count, .mean_distance = 0};
+  for (const Vec3& p : molecule.positions) result.mean_distance += tether_surface.distance(fit(p)) / count;
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "nanocarbon/annealing/surface_tether.h"
 #include "nanocarbon/annealing/switching_patch.h"
 #include "nanocarbon/building/start_choice.h"
+#include "nanocarbon/minimisation/cell_minimum.h"
 
 namespace nanocarbon::building {
 
@@ -13,5 +14,13 @@ namespace nanocarbon::building {
 //! \param with_scale whether the size of the molecule may differ from the surface's
 Released spring_back(const annealing::SwitchingState& state, const annealing::TetherSurface& surface,
                      bool with_scale);
+
+//! \brief The same in a periodic cell, whose strains are let go as well: otherwise the choice would be one between
+//! stresses.
+//! \details Minimises REBO2, where it sees the bonds; else as above, in the cell as it is.
+//! \param surface of the state's positions; it is strained along
+//! \param deformation of the cell is set
+Released spring_back_in_cell(const annealing::SwitchingState& state, const TriangleMesh& surface,
+                             minimisation::CellRelaxation strains, Mat3& deformation);
 
 }  // namespace nanocarbon::building

@@ -14,13 +14,13 @@ TriangleMesh goldberg_coxeter(const TriangleMesh& base, int h, int k) {
 
   LatticeSurface surface = glue(pieces);
   TriangleMesh mesh;
+  mesh.space = base.space;
   mesh.triangles = std::move(surface.triangles);
   mesh.points.reserve(surface.vertices.size());
   for (const LatticePlace& place : surface.vertices) {
     const auto weight = barycentric(pieces[place.piece], place.at);
-    const Triangle& t = base.triangles[place.piece];
-    mesh.points.push_back(weight[0] * base.points[t[0]] + weight[1] * base.points[t[1]] +
-                          weight[2] * base.points[t[2]]);
+    const std::array<Vec3, 3> corner = corners_of(base, base.triangles[place.piece]);
+    mesh.points.push_back(weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2]);
   }
   return mesh;
 }

@@ -11,7 +11,7 @@ namespace nanocarbon::shapes {
 //! Vertices come first in the order of the base, then as they are met. Points lie on the flat triangles of
 //! the base. Exact: integers only until the points are placed. H. S. M. Coxeter, "Virus macromolecules and
 //! geodesic domes" (1971).
-//! \param base closed, 2-manifold and oriented; all its triangles should be equilateral for an even
+//! \param base closed, 2-manifold and oriented, perhaps in a cell; all its triangles should be equilateral for an even
 //! subdivision
 //! \pre h >= 0, k >= 0, not both 0. (k, h) is the mirror image of (h, k).
 TriangleMesh goldberg_coxeter(const TriangleMesh& base, int h, int k);

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/building/starts_in_cell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "nanocarbon/annealing/refine_network.h"
+#include "nanocarbon/building/annealing_schedules.h"
+#include "nanocarbon/building/crystal_start.h"
+#include "nanocarbon/building/spring_back.h"
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
+#include "nanocarbon/remeshing/crystal/hexagonal_tori.h"
+
+namespace nanocarbon::building {
+
+namespace {
+
+// Atoms that are annealed from hot: with fewer a surface hardly shows, with more it takes too long to find the best
+// places.
+constexpr double fewest_annealed = 130, wanted_annealed = 200;
+// Up to so many, full size is annealed from hot as well.
+constexpr std::size_t few = 600;
+// Starts at full size for cells that are not refined to.
+constexpr int direct_starts = 2;
+// Starts with few atoms, of which the best is refined; they are held to the surface more by the first of these for
+// each quartering, and those that lie farther from it than the second, Angstrom at full size, are dropped.
+constexpr int coarse_starts = 3;
+constexpr double coarse_tether = 3, coarse_distance = 3;
+
+// A cell narrower than this has vertices that meet through two images. Angstrom.
+constexpr double least_width = 9;
+
+struct Step {
+  int h, k;
+  std::size_t factor() const { return static_cast<std::size_t>(h * h + h * k + k * k); }
+};
+
+struct Path {
+  std::vector<Step> steps;
+  std::size_t factor = 1;
+};
+
+// The steps from about 200 atoms up to full size; none where that is fewer than twice as many.
+Path path_to(std::size_t atoms, double width) {
+  const Path paths[] = {{{{1, 1}}, 3},
+                        {{{2, 0}}, 4},
+                        {{{2, 1}}, 7},
+                        {{{3, 0}}, 9},
+                        {{{1, 1}, {2, 0}}, 12},
+                        {{{2, 0}, {2, 0}}, 16},
+                        {{{1, 1}, {2, 1}}, 21},
+                        {{{2, 0}, {2, 1}}, 28},
+                        {{{2, 0}, {3, 0}}, 36},
+                        {{{2, 0}, {2, 0}, {1, 1}}, 48},
+                        {{{2, 0}, {2, 0}, {2, 0}}, 64}};
+  Path best;
+  double farthest = std::numeric_limits<double>::infinity();
+  for (const Path& path : paths) {
+    const double coarse = static_cast<double>(atoms) / static_cast<double>(path.factor);
+    if (coarse < fewest_annealed || width / std::sqrt(static_cast<double>(path.factor)) < least_width)
+      continue;
+    const double off = std::abs(std::log(coarse / wanted_annealed));
+    if (off >= farthest) continue;
+    farthest = off;
+    best = path;
+  }
+  return best;
+}
+
+TriangleMesh strained(TriangleMesh surface, const Mat3& strain) {
+  if (!strain.isIdentity(0)) mesh::deform(surface, strain);
+  return surface;
+}
+
+void strain(annealing::SwitchingState& state, const Mat3& by) {
+  for (Vec3& p : state.positions) p = by * p;
+  state.planes.clear();
+  state.space = state.space.strained(by);
+}
+
+class Annealing {
+ public:
+  Annealing(const TriangleMesh& surface, std::size_t atoms, const AnnealOptions& options)
+      : surface_(surface), atoms_(atoms), options_(options) {}
+
+  BestStart best(annealing::AnnealingLevel direct) {
+    AnnealedStart start = best_of(std::move(direct));
+    return {std::move(start), seconds_};
+  }
+
+ private:
+  AnnealedStart best_of(annealing::AnnealingLevel direct) {
+    const Path path = path_to(atoms_, surface_.space.least_width());
+    std::optional<AnnealedStart> best;
+    if (!path.steps.empty()) best = refined(path);
+    if (best && atoms_ > few) return *std::move(best);
+    const int starts = path.steps.empty() ? direct_starts : 1;
+    for (int k = 0; k < starts; ++k) {
+      std::optional<annealing::AnnealingLevel> level =
+          k == 0 ? std::move(direct)
+                 : started(surface_, atoms_, options_.tether, options_.seed + static_cast<std::uint64_t>(k));
+      if (!level) continue;
+      AnnealedStart candidate = annealed(*std::move(level), k, !best && k == 0);
+      if (!best || (annealing::holds(candidate.level) && is_better(candidate.released, best->released)))
+        best = std::move(candidate);
+    }
+    return annealed_in_its_cell(*std::move(best));
+  }
+
+  Released let_go(const annealing::SwitchingState& state, const TriangleMesh& surface,
+                  Mat3& deformation) const {
+    return spring_back_in_cell(state, surface, options_.relax_cell, deformation);
+  }
+  bool is_better(const Released& one, const Released& other) const {
+    return building::is_better(one, other, options_.tether);
+  }
+  annealing::BondSwitchingOptions told(annealing::BondSwitchingOptions schedule,
+                                       std::string_view stage) const {
+    schedule.progress = [this, stage, blocks = schedule.blocks](int block, double, std::size_t, std::size_t) {
+      if (options_.progress) options_.progress(stage, (block + 1.0) / blocks);
+    };
+    return schedule;
+  }
+
+  // Relaxed; nothing where thin parts are pinched or the topology asks for more atoms.
+  std::optional<annealing::AnnealingLevel> started(const TriangleMesh& surface, std::size_t atoms,
+                                                   double tether, std::uint64_t seed) {
+    AnnealOptions options = options_;
+    options.tether = tether;
+    options.seed = seed;
+    try {
+      CrystalStart start = crystal_start(surface, atoms, options);
+      seconds_ += start.seconds;
+      if (start.level) annealing::relax_level(*start.level, annealing::TetherSurface(surface, 1));
+      return std::move(start.level);
+    } catch (const UserError&) {
+      return {};
+    }
+  }
+
+  AnnealedStart annealed(annealing::AnnealingLevel level, int start, bool alone) const {
+    annealing::BondSwitchingOptions schedule = full_size_schedule(atoms_, alone || start > 0, options_);
+    schedule.seed += 1000 * static_cast<std::uint64_t>(start);
+    annealing::anneal_level(level, annealing::TetherSurface(surface_, 1), told(schedule, "annealing"));
+    AnnealedStart candidate{.level = std::move(level)};
+    candidate.released = let_go(candidate.level.state, surface_, candidate.deformation);
+    return candidate;
+  }
+
+  // Once more, shortly, in the cell as the molecule strains it.
+  AnnealedStart annealed_in_its_cell(AnnealedStart candidate) const {
+    if (candidate.deformation.isIdentity(1e-4)) return candidate;
+    AnnealedStart again = candidate;
+    again.strain = candidate.deformation * candidate.strain;
+    strain(again.level.state, candidate.deformation);
+    const TriangleMesh surface = strained(surface_, again.strain);
+    annealing::anneal_level(again.level, annealing::TetherSurface(surface, 1),
+                            told(refined_schedule(atoms_, options_), "annealing again"));
+    again.released = let_go(again.level.state, surface, again.deformation);
+    return annealing::holds(again.level) && is_better(again.released, candidate.released) ? again : candidate;
+  }
+
+  struct Coarse {
+    annealing::AnnealingLevel level;
+    Released released;
+    Mat3 strain;
+  };
+
+  std::optional<Coarse> best_coarse(std::size_t factor) {
+    const double scale = 1 / std::sqrt(static_cast<double>(factor));
+    const std::size_t atoms = atoms_ / factor;
+    TriangleMesh surface = surface_;
+    rescale(surface, scale);
+    const annealing::TetherSurface tether_surface(surface, 1);
+    const double tether =
+        options_.tether * std::pow(coarse_tether, 0.5 * std::log2(static_cast<double>(factor)));
+    std::optional<Coarse> best;
+    for (int k = 0; k < coarse_starts; ++k) {
+      const auto attempt = static_cast<std::uint64_t>(k);
+      std::optional<annealing::AnnealingLevel> level =
+          started(surface, atoms, tether, options_.seed + attempt);
+      if (!level || !(level->mean_distance < coarse_distance * scale)) continue;
+      annealing::BondSwitchingOptions schedule = hot_schedule(atoms, true, options_);
+      schedule.seed += 1000 * attempt;
+      annealing::anneal_level(*level, tether_surface, told(schedule, "annealing coarsely"));
+      if (!annealing::holds(*level)) continue;
+      Coarse coarse{.level = *std::move(level), .released = {}, .strain = Mat3::Identity()};
+      coarse.released = let_go(coarse.level.state, surface, coarse.strain);
+      if (!best || coarse.released.energy < best->released.energy) best = std::move(coarse);
+    }
+    return best;
+  }
+
+  std::optional<AnnealedStart> refined(const Path& path) {
+    std::optional<Coarse> coarse = best_coarse(path.factor);
+    if (!coarse) return {};
+    AnnealedStart candidate{.level = std::move(coarse->level), .strain = coarse->strain};
+    strain(candidate.level.state, candidate.strain);
+    const TriangleMesh surface = strained(surface_, candidate.strain);
+    std::size_t left = path.factor;
+    for (const Step& step : path.steps) {
+      left /= step.factor();
+      const annealing::TetherSurface tether_surface(surface, 1 / std::sqrt(static_cast<double>(left)));
+      annealing::AnnealingLevel& level = candidate.level;
+      level.state = annealing::refined_by(level.state, step.h, step.k, tether_surface);
+      level.state.tether = refined_tether(options_.tether);
+      annealing::relax_level(level, tether_surface);
+      annealing::anneal_level(level, tether_surface,
+                              told(refined_schedule(atoms_ / left, options_), "annealing refined"));
+      if (!annealing::holds(level)) return {};
+      ++candidate.refinements;
+    }
+    candidate.released = let_go(candidate.level.state, surface, candidate.deformation);
+    return candidate;
+  }
+
+  const TriangleMesh& surface_;
+  const std::size_t atoms_;
+  const AnnealOptions& options_;
+  double seconds_ = 0;  // wall-clock, of remeshing
+};
+
+}  // namespace
+
+std::optional<AnnealedStart> start_without_defects(const TriangleMesh& surface, std::size_t atoms,
+                                                   const AnnealOptions& options) {
+  const std::optional<TriangleMesh> triangulation = crystal::hexagonal_triangulation(surface, atoms);
+  if (!triangulation) return {};
+  auto level = annealing::level_on(*triangulation, options.tether, !options.keep_size);
+  if (!level) return {};
+  annealing::relax_level(*level, annealing::TetherSurface(surface, 1));
+  if (!annealing::holds(*level)) return {};
+  AnnealedStart candidate{.level = *std::move(level)};
+  candidate.released =
+      spring_back_in_cell(candidate.level.state, surface, options.relax_cell, candidate.deformation);
+  return candidate;
+}
+
+BestStart best_start_in_cell(annealing::AnnealingLevel direct, const TriangleMesh& surface, std::size_t atoms,
+                             const AnnealOptions& options) {
+  return Annealing(surface, atoms, options).best(std::move(direct));
+}
+
+}  // namespace nanocarbon::building

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How a molecule in a periodic cell comes to its defects.
+#pragma once
+
+#include <optional>
+
+#include "nanocarbon/building/annealed_starts.h"
+
+namespace nanocarbon::building {
+
+//! \brief A molecule in a periodic cell without a defect, where the surface has room for one: tubes and sheets.
+//! \details Annealing hardly finds it: it would have to turn the sheet as a whole.
+//! \return nothing for other surfaces, and where bonds would not hold
+std::optional<AnnealedStart> start_without_defects(const TriangleMesh& surface, std::size_t atoms,
+                                                   const AnnealOptions& options);
+
+//! \brief Anneals a closed surface in a periodic cell.
+//! \details The defects that the surface asks for are few, and where they lie decides: several starts are annealed
+//! with so few atoms that they find good places, the best of them once it is let go is refined in one or two steps
+//! (of 3, 4, 7 or 9 triangles for one), and annealed shortly on the way, in the cell as the best start has strained
+//! it. Cells of a few hundred atoms are annealed at full size as well.
+//! \param direct the start at full size, relaxed
+BestStart best_start_in_cell(annealing::AnnealingLevel direct, const TriangleMesh& surface, std::size_t atoms,
+                             const AnnealOptions& options);
+
+}  // namespace nanocarbon::building
