@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "nanocarbon/mesh/measures.h"
@@ -43,6 +44,44 @@ TEST(CloseHoles, ATriangleThatIsMissingComesBack) {
   EXPECT_TRUE(mesh_topology(mesh).closed());
   EXPECT_NEAR(signed_volume(mesh), 8.0 / 3.0, 1e-12);
   EXPECT_EQ(close_holes(mesh, 10), 0u);
+}
+
+// A flat sheet in a cell, with a hole around each of some vertices.
+TriangleMesh periodic_sheet(VertexIndex cells, const std::vector<VertexIndex>& holes) {
+  TriangleMesh mesh;
+  mesh.space = Space(orthogonal_cell(Vec3(cells, cells, 20), {true, true, false}));
+  for (VertexIndex j = 0; j < cells; ++j)
+    for (VertexIndex i = 0; i < cells; ++i) mesh.points.emplace_back(i, j, 0);
+  const auto at = [&](VertexIndex i, VertexIndex j) { return j % cells * cells + i % cells; };
+  const auto add = [&](const Triangle& t) {
+    for (const VertexIndex v : t)
+      if (std::find(holes.begin(), holes.end(), v) != holes.end()) return;
+    mesh.triangles.push_back(t);
+  };
+  for (VertexIndex j = 0; j < cells; ++j)
+    for (VertexIndex i = 0; i < cells; ++i) {
+      add({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      add({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return mesh;
+}
+
+TEST(CloseHoles, AcrossTheFacesOfACell) {
+  TriangleMesh mesh = periodic_sheet(9, {0, 40});  // at the corner of the cell, and in its middle
+  EXPECT_EQ(mesh_topology(mesh).boundary_loops, 2u);
+  EXPECT_EQ(close_holes(mesh, 0.1), 0u);
+  EXPECT_EQ(close_holes(mesh, 2), 2u);
+  const MeshTopology topology = mesh_topology(mesh);
+  EXPECT_TRUE(topology.closed());
+  EXPECT_TRUE(topology.manifold() && topology.consistently_wound());
+  EXPECT_NEAR(area(mesh), 81, 1e-9);
+}
+
+TEST(CloseHoles, NotWhatGoesRoundTheCell) {
+  TriangleMesh ribbon = periodic_sheet(9, {});
+  std::erase_if(ribbon.triangles, [&](const Triangle& t) { return t[0] < 9; });
+  EXPECT_EQ(mesh_topology(ribbon).boundary_loops, 2u);
+  EXPECT_EQ(close_holes(ribbon, 100), 0u);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/formats/read_mesh.h"
+#include "nanocarbon/mesh/repair/close_holes.h"
 #include "nanocarbon/mesh/repair/repair_surface.h"
 
 namespace nanocarbon::mesh {
@@ -31,7 +32,8 @@ LoadedSurface examine(const std::filesystem::path& path, const CellRequest& requ
   surface.vertices_read = soup.points.size();
   surface.faces_read = soup.faces();
   surface.cell = naming_file(path, [&] { return requested_cell(request, soup); });
-  RepairedSurface repaired = repair_surface(std::move(soup), close_holes);
+  // A mesh that is cut at its cell has loops there that are no holes: they are closed once it is sewn.
+  RepairedSurface repaired = repair_surface(std::move(soup), surface.cell ? 0.0 : close_holes);
   mended = std::move(repaired.mended);
   surface.mesh = std::move(repaired.mesh);
   surface.repairs = std::move(repaired.repairs);
@@ -71,6 +73,11 @@ LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions&
   if (!surface.cell) return surface;
   surface.mesh =
       naming_file(path, [&] { return in_cell(surface.mesh, *surface.cell, options.cell, surface.repairs); });
+  if (options.close_holes > 0.0) {
+    const std::size_t closed =
+        naming_file(path, [&] { return close_holes(surface.mesh, options.close_holes); });
+    if (closed > 0) surface.repairs.push_back(fmt::format("closed boundary loops as asked: {}", closed));
+  }
   return surface;
 }
 

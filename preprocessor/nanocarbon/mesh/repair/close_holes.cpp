@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <utility>
 
 #include "nanocarbon/mesh/edge_table.h"
@@ -38,9 +40,58 @@ std::vector<std::vector<VertexIndex>> loops_of(const PolygonSoup& soup) {
   return loops;
 }
 
+// A loop of a mesh in a cell side by side; nothing where it goes round the cell, as the end of a tube does.
+std::vector<Vec3> unrolled(const TriangleMesh& mesh, const std::vector<VertexIndex>& loop) {
+  std::vector<Vec3> points;
+  for (const VertexIndex v : loop)
+    points.push_back(points.empty() ? mesh.points[v] : mesh.space.beside(mesh.points[v], points.back()));
+  const Vec3 back = mesh.space.beside(points.front(), points.back());
+  if ((back - points.front()).norm() > 1e-6 * (1 + mesh.space.least_width())) points.clear();
+  return points;
+}
+
+std::size_t close_holes_in_cell(TriangleMesh& mesh, double radius) {
+  std::size_t closed = 0;
+  std::set<std::pair<VertexIndex, VertexIndex>> edges;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+  for (const std::vector<VertexIndex>& loop : loops_of(soup_of(mesh))) {
+    if (loop.size() < 3 || loop.size() > most_corners) continue;
+    PolygonSoup patch;
+    patch.points = unrolled(mesh, loop);
+    if (patch.points.empty()) continue;
+    std::vector<VertexIndex> corners(loop.size());
+    std::iota(corners.begin(), corners.end(), 0u);
+    if (!(radius_of(patch.points, corners) < radius)) continue;
+    patch.corners = corners;
+    patch.close_face();
+    const std::vector<Triangle> ears = triangulate(patch).mesh.triangles;
+    const bool doubles_an_edge = std::any_of(ears.begin(), ears.end(), [&](const Triangle& t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexIndex a = t[k], b = t[(k + 1) % 3];
+        if (b != (a + 1) % loop.size() && edges.contains(std::minmax(loop[a], loop[b]))) return true;
+      }
+      return false;
+    });
+    const auto centre = static_cast<VertexIndex>(mesh.points.size());
+    if (doubles_an_edge) {
+      Vec3 sum = Vec3::Zero();
+      for (const Vec3& point : patch.points) sum += point;
+      mesh.points.push_back(sum / static_cast<double>(loop.size()));
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        mesh.triangles.push_back({loop[k], loop[(k + 1) % loop.size()], centre});
+    } else {
+      for (const Triangle& t : ears) mesh.triangles.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
+    }
+    ++closed;
+  }
+  return closed;
+}
+
 }  // namespace
 
 std::size_t close_holes(TriangleMesh& mesh, double radius) {
+  if (mesh.space.periodic()) return close_holes_in_cell(mesh, radius);
   PolygonSoup soup = soup_of(mesh);
   std::size_t closed = 0;
   for (const std::vector<VertexIndex>& loop : loops_of(soup)) {

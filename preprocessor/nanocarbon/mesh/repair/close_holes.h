@@ -10,7 +10,7 @@ namespace nanocarbon::mesh {
 
 //! \brief Closes boundary loops that are smaller than a radius with triangles.
 //! \details The radius of a loop is twice the area that it spans over its length: that of a circle, and half the
-//! width of a rectangle of any length or more. The outer boundary of a sheet is closed as well where it is so small.
+//! width of a rectangle of any length or more. In a cell a loop that goes round it is none. The outer boundary of a sheet is closed as well where it is so small.
 //! \param radius mesh units
 //! \return how many were closed
 //! \pre manifold and consistently wound
