@@ -101,6 +101,22 @@ class Browser:
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x + dx, y=y + dy, button="left", buttons=1)
         self.call("Input.dispatchMouseEvent", type="mouseReleased", x=x + dx, y=y + dy, button="left", clickCount=1)
 
+    def cpu_seconds(self):
+        """Of the browser and all processes that it has started."""
+        ticks, processes = 0, [self.process.pid]
+        while processes:
+            folder = f"/proc/{processes.pop()}"
+            try:
+                with open(f"{folder}/stat", encoding="ascii", errors="replace") as stat:
+                    fields = stat.read().rsplit(")", 1)[1].split()
+                ticks += int(fields[11]) + int(fields[12])
+                for thread in os.listdir(f"{folder}/task"):
+                    with open(f"{folder}/task/{thread}/children", encoding="ascii") as children:
+                        processes += map(int, children.read().split())
+            except OSError:
+                pass  # it has just ended
+        return ticks / os.sysconf("SC_CLK_TCK")
+
     def screenshot(self, file):
         file.write_bytes(base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"]))
 

@@ -36,6 +36,23 @@ COUNT = """(async () => {
 })()"""
 
 
+# The same of the left and of the right half.
+HALVES = COUNT.replace("n = { all: p.length / 4, drawn: 0, blue: 0, red: 0, gold: 0, left: 0, right: 0 };",
+                       "both = [0, 1].map(() => ({ drawn: 0, blue: 0, red: 0, gold: 0, left: 0, right: 0 }));").replace(
+    "++n.drawn;", "const n = both[(i / 4) % d.width < d.width / 2 ? 0 : 1]; ++n.drawn;").replace("return n;", "return both;")
+
+# Where the hydrogen atom nearest to the eye is on the screen.
+NEAREST_HYDROGEN = """(() => {
+  let best = null;
+  for (let a = 0; a < nanocarbonPage.atoms(); ++a) {
+    if (!nanocarbonPage.value(a, 'element')) continue;
+    const at = nanocarbonPage.atomOnScreen(a);
+    if (!best || at.depth < best.depth) best = at;
+  }
+  return best;
+})()"""
+
+
 def benzene(folder):
     file = folder / "benzene.xyz"
     hydrogen = [("H", 2.48 / 1.39 * x, 2.48 / 1.39 * y) for _, x, y in BENZENE]
@@ -106,7 +123,33 @@ def a_build(pages, mesh, folder):
     assert pages.browser.evaluate(COUNT)["gold"] < count["gold"]
     pages.choose("mesh", "'over'")
     assert pages.browser.evaluate("document.querySelectorAll('#plots svg').length") >= 5
+    pages.colour_by("ring")
+    pages.choose("mesh", "'half'")
+    left, right = pages.browser.evaluate(HALVES)
+    assert left["gold"] > 0.8 * left["drawn"] > 0, left  # the mesh only
+    assert right["gold"] < 0.02 * right["drawn"], right  # atoms only
+    pages.browser.screenshot(pages.folder / "build-halves.png")
     pages.sound("build")
+
+
+def open_surfaces(pages, mesh, folder):
+    """A bowl with a rim; and a tube whose ends have hydrogen: both elements can be told, a click names a hydrogen atom."""
+    pages.show("bowl", "build", mesh, "--atoms", "300", "--quality", "draft", "-o", folder / "bowl.data")
+    assert "boundary loops 1" in pages.text("#facts"), pages.text("#facts")
+    pages.colour_by("bonds")
+    assert "2 bonds (" in pages.text("#legend"), pages.text("#legend")  # of the rim
+    pages.sound("bowl")
+    subprocess.run([pages.program, "make", "tube", "6", "6", "--length", "15", "-q", "-o", folder / "tube.data"], check=True)
+    pages.show("tube", "analyse", folder / "tube.data")
+    assert "boundary loops 2" in pages.text("#facts"), pages.text("#facts")
+    pages.colour_by("element")
+    assert "hydrogen (24)" in pages.text("#legend"), pages.text("#legend")  # twelve at each end of an armchair tube (6, 6)
+    pages.choose("style", "'spheres'")
+    at = pages.browser.evaluate(NEAREST_HYDROGEN)
+    pages.browser.click(at["x"], at["y"])
+    assert "elementhydrogen" in pages.text("#picked-text"), pages.text("#picked-text")
+    assert pages.browser.evaluate(COUNT)["gold"] > 0  # it is marked
+    pages.sound("tube")
 
 
 def picking(pages):
@@ -119,7 +162,8 @@ def picking(pages):
     pages.browser.evaluate("document.querySelector('button.defect').click()")
     assert "pentagon" in pages.text("#picked-text")
     pages.choose("show-rings", "true")
-    assert pages.browser.evaluate(COUNT)["blue"] > count["blue"]
+    filled = pages.browser.evaluate(COUNT)  # pentagons, and hexagons that hide what is behind
+    assert filled["drawn"] > 1.3 * count["drawn"] and filled["blue"] > 0.01 * filled["all"], (count, filled)
     # The middle of the first ring, seen from in front of it.
     before = pages.browser.evaluate("JSON.stringify(nanocarbonPage.atomOnScreen(0))")
     box = pages.browser.evaluate("(() => { const b = document.querySelector('#stage canvas').getBoundingClientRect(); "
@@ -176,9 +220,38 @@ def large_ones(pages):
     subprocess.run([pages.program, "make", "fullerene", "23", "0", "-q", "-o", data], check=True)
     _, size = pages.show("c10580", "analyse", data, "--potential", "none")
     assert size < 5e6, size
-    times = sorted(pages.browser.evaluate("nanocarbonPage.turnFor(5)"))
     pages.sound("c10580")
-    print(f"10,580 atoms: {size / 1e6:.2f} MB, {times[2]:.0f} ms a frame while turning")
+    print(f"10,580 atoms: {size / 1e6:.2f} MB; {turning(pages)}")
+    subprocess.run([pages.program, "make", "fullerene", "71", "0", "-q", "-o", data], check=True)
+    pages.show("c100820", "analyse", data, "--potential", "none")
+    pages.sound("c100820")
+    # Ten frames a second on two cores are 200 ms of CPU each. Beside other work a frame takes up to twice as much; drawn
+    # as instances, it took fifty times as much.
+    said = turning(pages)
+    print(f"100,820 atoms: {said}")
+    assert said.cpu < 400, said
+
+
+class Turning:
+    def __init__(self, times, cpu, slowness):
+        self.times, self.cpu, self.slowness = sorted(times), cpu, slowness
+
+    def __str__(self):
+        return (f"{self.times[len(self.times) // 2]:.0f} ms a frame (least {self.times[0]:.0f}), {self.cpu:.0f} ms of CPU, "
+                f"drawn {['whole', 'as points', 'as points, coarsely'][self.slowness]}")
+
+
+def turning(pages):
+    """Turns until it is known how to draw, and measures then: the best of three."""
+    for _ in range(3):
+        pages.browser.evaluate("nanocarbonPage.turnFor(3)")
+    best = None
+    for _ in range(3):
+        before = pages.browser.cpu_seconds()
+        said = pages.browser.evaluate("nanocarbonPage.turnFor(10)")
+        now = Turning(said["times"], 100 * (pages.browser.cpu_seconds() - before), said["slowness"])
+        best = now if best is None or now.cpu < best.cpu else best
+    return best
 
 
 def main():
@@ -191,6 +264,7 @@ def main():
     pages = Pages(program, folder)
     try:
         a_build(pages, mesh, folder)
+        open_surfaces(pages, mesh.with_name("hemisphere.off"), folder)
         picking(pages)
         a_ring(pages, ring)
         a_cell(pages)

@@ -26,6 +26,7 @@
     for (let i = 0; i < packed.length; ++i) result[i] = from[i % 3] + packed[i] * step[i % 3];
     return result;
   }
+  const atomsOf = (frame) => bytes(frame.positions.data).length / (frame.positions.format === 'float32' ? 12 : 6);
   function column(description) {
     if (description.format === 'uint8') return as(Uint8Array, description.data);
     const packed = as(Uint16Array, description.data), { from, step } = description;
@@ -81,109 +82,36 @@
   }
   for (const [name, value] of contents.facts) row($('facts'), name, value);
 
-  // ---- plots ----------------------------------------------------------------------------------------------------
-  const SVG = 'http://www.w3.org/2000/svg';
-  function svg(tag, attributes, parent, text) {
-    const element = document.createElementNS(SVG, tag);
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-    if (text !== undefined) element.textContent = text;
-    if (parent) parent.appendChild(element);
-    return element;
-  }
   const short = (v) => (v === 0 ? '0' : Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3 ? v.toExponential(1) : String(+v.toPrecision(4)));
-  function plot(p) {
-    const W = 300, H = 150, left = 46, right = 8, top = 8, bottom = 34;
-    const figure = document.createElement('figure');
-    figure.appendChild(document.createElement('figcaption')).textContent = p.title;
-    const picture = svg('svg', { viewBox: `0 0 ${W} ${H}`, width: '100%', role: 'img' }, figure);
-    svg('title', {}, picture, p.title);
-    const bars = p.kind === 'bars', xs = p.x, ys = p.y.filter(Number.isFinite);
-    if (ys.length === 0) return;
-    const x0 = xs[0], x1 = bars ? xs[xs.length - 1] + p.width : xs[xs.length - 1];
-    let y0 = bars ? 0 : Math.min(...ys), y1 = Math.max(...ys);
-    if (y0 === y1) [y0, y1] = bars ? [0, y1 || 1] : [y0 - 0.5, y1 + 0.5];
-    const X = (x) => left + ((x - x0) / (x1 - x0 || 1)) * (W - left - right);
-    const Y = (y) => H - bottom - ((y - y0) / (y1 - y0)) * (H - top - bottom);
-    if (bars) {
-      xs.forEach((x, i) => {
-        const colour = p.colours ? css(ringColour(x)) : '#5c8fd6';
-        const bar = svg('rect', { x: X(x) + 0.5, y: Y(p.y[i]), width: Math.max(0.8, X(x + p.width) - X(x) - 1),
-          height: Math.max(0, Y(0) - Y(p.y[i])), fill: colour }, picture);
-        svg('title', {}, bar, `${short(x)}: ${p.y[i]}`);
-      });
-    } else {
-      const points = xs.map((x, i) => [x, p.y[i]]).filter((q) => Number.isFinite(q[1]));
-      svg('polyline', { points: points.map(([x, y]) => `${X(x)},${Y(y)}`).join(' '), fill: 'none', stroke: '#1f6feb',
-        'stroke-width': 1.5 }, picture);
-    }
-    svg('line', { x1: left, y1: H - bottom, x2: W - right, y2: H - bottom, stroke: '#9aa5b1' }, picture);
-    const middle = bars && p.colours ? xs.map((x) => [x + p.width / 2, x]) : [[x0, x0], [(x0 + x1) / 2, (x0 + x1) / 2], [x1, x1]];
-    middle.forEach(([x, name], i) => svg('text', { x: X(x), y: H - bottom + 13,
-      'text-anchor': bars && p.colours ? 'middle' : ['start', 'middle', 'end'][i] }, picture, short(name)));
-    svg('text', { x: (left + W) / 2, y: H - 5, 'text-anchor': 'middle' }, picture, p.label);
-    for (const y of [y0, y1]) svg('text', { x: left - 4, y: Y(y) + 4, 'text-anchor': 'end' }, picture, short(y));
-    $('plots').appendChild(figure);
-  }
-  contents.plots.forEach(plot);
+  contents.plots.forEach((p) => nanocarbonPlot(p, $('plots'), short, (size) => css(ringColour(size))));
 
   // ---- the scene ------------------------------------------------------------------------------------------------
   const frames = contents.frames, stage = $('stage');
   let renderer;
   try {
-    renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    // Smooth edges take most of the time where there are many.
+    renderer = new THREE.WebGLRenderer({ antialias: atomsOf(contents.frames[0]) < 30000, preserveDrawingBuffer: true });
   } catch (error) {
     $('message').textContent = 'This browser has no WebGL, so the molecule is not shown; the facts and plots are.';
     $('tools').hidden = true;
     return;
   }
-  renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
   renderer.setClearColor(0xffffff);
   stage.insertBefore(renderer.domElement, stage.firstChild);
   const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(28, 1, 0.1, 1e5);
   const world = new THREE.Group();
   scene.add(world);
 
-  // Spheres and cylinders are drawn as one rectangle each, shaded as if they were round.
-  const common = 'uniform float fogNear; uniform float fogFar;' +
-    'vec3 shade(vec3 colour, vec3 n, float depth) {' +
-    '  float light = 0.42 + 0.58 * max(dot(n, normalize(vec3(0.35, 0.5, 0.8))), 0.0);' +
-    '  vec3 h = normalize(vec3(0.35, 0.5, 1.8));' +
-    '  vec3 c = colour * light + 0.18 * pow(max(dot(n, h), 0.0), 30.0);' +
-    '  return mix(c, vec3(1.0), 0.62 * smoothstep(fogNear, fogFar, depth)); }';
-  const sphereShader = {
-    vertexShader: 'attribute vec3 centre; attribute vec3 tint; attribute float big; uniform float radius; varying vec2 at;' +
-      'varying vec3 colour; varying float depth; varying float picked; void main() { at = position.xy; colour = tint; picked = step(1.0, big);' +
-      'float r = radius * (fract(big) * 2.0); vec4 p = modelViewMatrix * vec4(centre, 1.0); depth = -p.z; p.xy += r * position.xy;' +
-      'p.z += r; gl_Position = projectionMatrix * p; }',
-    fragmentShader: common + 'varying vec2 at; varying vec3 colour; varying float depth; varying float picked; void main() {' +
-      'float q = dot(at, at); if (q > 1.0) discard; vec3 n = vec3(at, sqrt(1.0 - q));' +
-      'vec3 c = shade(colour, n, depth); if (picked > 0.5 && q > 0.55) c = vec3(1.0, 0.75, 0.0); gl_FragColor = vec4(c, 1.0); }',
-  };
-  const bondShader = {
-    vertexShader: 'attribute vec3 start; attribute vec3 end; attribute vec3 tint; attribute vec3 tintEnd; uniform float radius;' +
-      'varying vec2 at; varying vec3 colour; varying vec3 colourEnd; varying vec3 side; varying vec3 facing; varying float depth; void main() {' +
-      'at = position.xy; colour = tint; colourEnd = tintEnd; vec4 a = modelViewMatrix * vec4(start, 1.0), b = modelViewMatrix * vec4(end, 1.0);' +
-      'vec4 p = mix(a, b, 0.5 + 0.5 * position.y); vec3 axis = normalize(b.xyz - a.xyz + vec3(1e-6)); vec3 eye = normalize(-p.xyz);' +
-      'side = normalize(cross(axis, eye)); facing = cross(side, axis); p.xyz += radius * position.x * side; depth = -p.z;' +
-      'gl_Position = projectionMatrix * p; }',
-    fragmentShader: common + 'varying vec2 at; varying vec3 colour; varying vec3 colourEnd; varying vec3 side; varying vec3 facing;' +
-      'varying float depth; void main() { vec3 n = normalize(side * at.x + facing * sqrt(max(0.0, 1.0 - at.x * at.x)));' +
-      'gl_FragColor = vec4(shade(at.y < 0.0 ? colour : colourEnd, n, depth), 1.0); }',
-  };
-  const uniforms = { radius: { value: 0.35 }, fogNear: { value: 1 }, fogFar: { value: 1e6 } };
-  const bondUniforms = { radius: { value: 0.14 }, fogNear: uniforms.fogNear, fogFar: uniforms.fogFar };
-  function rectangles(count) {
-    const geometry = new THREE.InstancedBufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3));
-    geometry.setIndex([0, 1, 2, 0, 2, 3]);
-    geometry.maxInstancedCount = count;
-    return geometry;
-  }
-  const instanced = (values, size) => new THREE.InstancedBufferAttribute(values, size);
-  const spheres = new THREE.Mesh(rectangles(0), new THREE.ShaderMaterial({ ...sphereShader, uniforms }));
-  const sticks = new THREE.Mesh(rectangles(0), new THREE.ShaderMaterial({ ...bondShader, uniforms: bondUniforms, side: THREE.DoubleSide }));
+  renderer.localClippingEnabled = true;
+  const impostors = nanocarbonImpostors(THREE), uniforms = impostors.uniforms;
+  const spheres = new THREE.Mesh(new THREE.BufferGeometry(), impostors.sphereMaterial);
+  const sticks = new THREE.Mesh(new THREE.BufferGeometry(), impostors.stickMaterial);
+  const points = new THREE.Points(new THREE.BufferGeometry(), impostors.pointMaterial);
+  // Half and half: the mesh to the left of the middle, the molecule to the right.
+  const leftOnly = new THREE.Plane(new THREE.Vector3(-1, 0, 0), 0), rightOnly = new THREE.Plane(new THREE.Vector3(1, 0, 0), 0);
+  const halves = () => !!surface && $('mesh').value === 'half';
   const molecule = new THREE.Group();
-  for (const part of [sticks, spheres]) {
+  for (const part of [sticks, spheres, points]) {
     part.frustumCulled = false;
     molecule.add(part);
   }
@@ -267,29 +195,15 @@
   }
 
   function upload() {
-    const count = now.positions.length / 3, elements = column(now.frame.columns[contents.elementColumn]);
-    const big = new Float32Array(count);  // the fraction is half the relative radius; whole part: picked
-    for (let a = 0; a < count; ++a) big[a] = (elements[a] ? 0.31 : 0.5 - 1e-6);
-    if (now.picked) for (const a of now.picked.atoms) big[a] += 1;
-    const geometry = rectangles(count);
-    geometry.setAttribute('centre', instanced(now.positions, 3));
-    geometry.setAttribute('tint', instanced(now.colours, 3));
-    geometry.setAttribute('big', instanced(big, 1));
-    spheres.geometry.dispose();
-    spheres.geometry = geometry;
-    const bonds = bondAtoms.length / 2, lines = rectangles(bonds);
-    const start = new Float32Array(3 * bonds), end = new Float32Array(3 * bonds), a = new Float32Array(3 * bonds), b = new Float32Array(3 * bonds);
-    for (let n = 0; n < bonds; ++n)
-      for (let d = 0; d < 3; ++d) {
-        start[3 * n + d] = bondEnds[6 * n + d];
-        end[3 * n + d] = bondEnds[6 * n + 3 + d];
-        a[3 * n + d] = now.colours[3 * bondAtoms[2 * n] + d];
-        b[3 * n + d] = now.colours[3 * bondAtoms[2 * n + 1] + d];
-      }
-    for (const [name, values] of [['start', start], ['end', end], ['tint', a], ['tintEnd', b]])
-      lines.setAttribute(name, instanced(values, 3));
-    sticks.geometry.dispose();
-    sticks.geometry = lines;
+    const elements = column(now.frame.columns[contents.elementColumn]), picked = new Set(now.picked ? now.picked.atoms : []);
+    const kind = (a) => (elements[a] ? 1 : 0) + (picked.has(a) ? 2 : 0);
+    const replace = (part, geometry) => {
+      part.geometry.dispose();
+      part.geometry = geometry;
+    };
+    replace(spheres, impostors.sphereGeometry(now.positions, now.colours, kind));
+    replace(sticks, impostors.stickGeometry(bondEnds, bondAtoms, now.colours));
+    replace(points, impostors.pointGeometry(now.positions, now.colours, kind));
     draw();
   }
 
@@ -335,12 +249,17 @@
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(places, 3));
     geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3));
-    ringFaces = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ vertexColors: THREE.VertexColors, side: THREE.DoubleSide,
-      transparent: true, opacity: 0.72, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+    ringFaces = new THREE.Mesh(geometry, new THREE.MeshPhongMaterial({ vertexColors: THREE.VertexColors, side: THREE.DoubleSide,
+      clippingPlanes: halves() ? [rightOnly] : [], flatShading: true, shininess: 8, polygonOffset: true, polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1 }));
     molecule.add(ringFaces);
     draw();
   }
 
+  scene.add(new THREE.HemisphereLight(0xffffff, 0x8890a0, 0.75));
+  const light = new THREE.DirectionalLight(0xffffff, 0.5);
+  light.position.set(0.35, 0.5, 0.8);
+  scene.add(light);
   let surface = null;
   if (contents.mesh) {
     const { from, step } = contents.mesh, packed = as(Uint16Array, contents.mesh.points), index = as(Uint32Array, contents.mesh.triangles);
@@ -353,10 +272,6 @@
     surface = new THREE.Mesh(geometry, new THREE.MeshPhongMaterial({ color: 0xc9b27c, side: THREE.DoubleSide, shininess: 12,
       flatShading: index.length < 60000 }));
     world.add(surface);
-    scene.add(new THREE.HemisphereLight(0xffffff, 0x8890a0, 0.75));
-    const light = new THREE.DirectionalLight(0xffffff, 0.5);
-    light.position.set(0.35, 0.5, 0.8);
-    scene.add(light);
   } else {
     $('mesh-choice').hidden = true;
   }
@@ -368,6 +283,8 @@
     material.transparent = choice === 'over';
     material.opacity = choice === 'over' ? 0.45 : 1;
     material.depthWrite = choice !== 'over';
+    material.clippingPlanes = halves() ? [leftOnly] : [];
+    if (ringFaces) ringFaces.material.clippingPlanes = halves() ? [rightOnly] : [];
     material.needsUpdate = true;
     frameView();
   }
@@ -403,10 +320,12 @@
     return { low, high };
   }
   function frameView() {
-    const { low, high } = bounds(now.positions);
+    const { low, high } = bounds(now.positions), p = now.positions;
     view.middle.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
-    const edges = [0, 1, 2].map((d) => high[d] - low[d]);
-    view.size = Math.max(3, Math.hypot(...edges));
+    let farthest = 0;
+    for (let i = 0; i < p.length; i += 3)
+      farthest = Math.max(farthest, Math.hypot(p[i] - view.middle.x, p[i + 1] - view.middle.y, p[i + 2] - view.middle.z));
+    view.size = 2 * Math.max(1.5, farthest);
     let wide = 1;
     molecule.position.copy(view.middle).negate();
     if (surface) {
@@ -414,7 +333,7 @@
       if ($('mesh').value === 'beside') wide = 2;
     }
     const need = Math.max(view.size, (wide * view.size * stage.clientHeight) / Math.max(1, stage.clientWidth));
-    view.distance = (1.05 * need) / 2 / Math.tan((camera.fov * Math.PI) / 360);
+    view.distance = (1.1 * need) / 2 / Math.tan((camera.fov * Math.PI) / 360);
     draw();
   }
   function resetView() {
@@ -427,7 +346,12 @@
     frameView();
   }
 
-  let queued = false, moving = false, slow = false, frameTimes = [];
+  // How slow turning is: 0 everything is drawn, 1 points stand for atoms and sticks wait until it stops, 2 as coarse as it may be.
+  let queued = false, moving = false, slowness = 0, probes = [];
+  const finePixels = Math.min(window.devicePixelRatio || 1, 2);
+  function finished() {  // waits until the frame is there; finish() alone does not
+    renderer.getContext().readPixels(0, 0, 1, 1, renderer.getContext().RGBA, renderer.getContext().UNSIGNED_BYTE, new Uint8Array(4));
+  }
   function draw() {
     if (queued) return;
     queued = true;
@@ -437,7 +361,11 @@
     queued = false;
     const begin = performance.now();
     const width = stage.clientWidth, height = stage.clientHeight, canvas = renderer.domElement;
+    const pixels = moving && slowness === 2 ? 0.5 : finePixels;
+    if (renderer.getPixelRatio() !== pixels) renderer.setPixelRatio(pixels);
     if (canvas.clientWidth !== width || canvas.clientHeight !== height) renderer.setSize(width, height);
+    uniforms.pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / (height * pixels);
+    uniforms.cut.value = halves() ? view.shift.x : -1e9;
     camera.aspect = width / height;
     camera.position.set(-view.shift.x, -view.shift.y, view.distance);
     camera.near = Math.max(0.2, view.distance - 2 * view.size);
@@ -454,14 +382,18 @@
       molecule.position.add(side);
     }
     // Where turning is slow, sticks wait until it stops.
-    sticks.visible = $('style').value !== 'spheres' && !(moving && slow);
-    spheres.visible = $('style').value !== 'sticks' || !!now.picked || (moving && slow);
+    points.visible = moving && slowness > 0;
+    sticks.visible = !points.visible && $('style').value !== 'spheres';
+    spheres.visible = !points.visible && ($('style').value !== 'sticks' || !!now.picked);
     renderer.render(scene, camera);
-    if (moving) {
-      renderer.getContext().finish();
-      frameTimes.push(performance.now() - begin);
-      const last = frameTimes.slice(-3);
-      if (!slow && last.length === 3 && Math.min(...last) > 90) slow = true;
+    // The first frames of each way of drawing say whether it is quick enough.
+    if (moving && probes.length < 3) {
+      finished();
+      probes.push(performance.now() - begin);
+      if (probes.length === 3 && Math.min(...probes) > 90 && slowness < 2) {
+        ++slowness;
+        probes = [];
+      }
     }
   }
 
@@ -527,9 +459,11 @@
     caster.setFromCamera(mouse, camera);
     const back = new THREE.Matrix4().getInverse(molecule.matrixWorld), ray = caster.ray.clone().applyMatrix4(back);
     const radius = $('style').value === 'spheres' ? uniforms.radius.value : Math.max(uniforms.radius.value, 0.3), p = now.positions;
+    const e = molecule.matrixWorld.elements, toRight = (a) => e[0] * p[3 * a] + e[4] * p[3 * a + 1] + e[8] * p[3 * a + 2] + e[12];
     let best = Infinity, atom = -1;
     for (let a = 0; a < p.length / 3; ++a) {
       const x = p[3 * a] - ray.origin.x, y = p[3 * a + 1] - ray.origin.y, z = p[3 * a + 2] - ray.origin.z;
+      if (halves() && toRight(a) < 0) continue;
       const t = x * ray.direction.x + y * ray.direction.y + z * ray.direction.z;
       if (t > 0 && t - radius < best && x * x + y * y + z * z - t * t < radius * radius) {
         best = t - radius;
@@ -541,8 +475,8 @@
       const { triangles, of } = ringTriangles(), hit = new THREE.Vector3();
       for (let t = 0; t < of.length; ++t)
         if (ray.intersectTriangle(triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2], false, hit)) {
-          const far = hit.distanceTo(ray.origin);
-          if (far < best) {
+          const far = hit.distanceTo(ray.origin), shown = !halves() || hit.clone().applyMatrix4(molecule.matrixWorld).x >= 0;
+          if (far < best && shown) {
             best = far;
             ring = of[t];
           }
@@ -657,16 +591,21 @@
       }
       return best;
     },
-    turnFor(count) {  // milliseconds of each of some frames while turning
-      frameTimes = [];
+    atoms: () => now.positions.length / 3,
+    value: (a, name) => column(now.frame.columns.find((c) => c.name === name))[a],
+    turnFor(count) {  // milliseconds of each of some frames while turning, and how they were drawn
+      const times = [];
       moving = true;
       for (let k = 0; k < count; ++k) {
+        const begin = performance.now();
         view.turn.premultiply(new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 1, 0), 0.05));
         render();
+        finished();
+        times.push(performance.now() - begin);
       }
       moving = false;
       draw();
-      return frameTimes.slice();
+      return { times, slowness };
     },
     turn(x, y) {
       view.turn.premultiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(x, y, 0)));
