@@ -116,7 +116,9 @@ def build(args, mesh, prefix, atoms, options):
     """On one core: exit code, CPU seconds, and what the program said."""
     screen = pathlib.Path(f"{prefix}.build")
     code, seconds = run(args, [args.build / "preprocessor/cli/nanocarbon", "build", mesh, "-o", f"{prefix}.data",
-                               "--quiet", "--threads", "1", "--report", f"{prefix}.json", "--atoms", atoms, *potential_of(args), *options], screen)
+                               "--quiet", "--threads", "1", "--report", f"{prefix}.json", "--atoms", atoms,
+                               *(["--page", f"{prefix}.html"] if args.pages else []), *potential_of(args), *options],
+                        screen)
     said = screen.read_text(errors="replace").strip()
     begin = max(0, ("\n" + said).find("\nnanocarbon: "))
     reason = said[begin:].replace("\n  - ", " ") or "no message"
@@ -155,6 +157,8 @@ def row_of(args, mesh):
         return row
     report = json.loads(pathlib.Path(f"{prefix}.json").read_text())
     row.update(facts_of(report), cpu_seconds=seconds)
+    if args.pages:
+        row["page"] = f"{prefix.name}.html"
     data = pathlib.Path(f"{prefix}.data")
     if args.lammps_energy and "annealing" in report:
         lammps_energy(args, data, prefix, row, report["annealing"]["energy_per_atom"])

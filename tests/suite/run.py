@@ -5,10 +5,12 @@
     tests/suite/run.py FOLDER [--atoms N] [--jobs J] [--out OUT] [-- BUILD OPTIONS...]
 
 Each molecule runs for STEPS steps of 1 fs from rest, and as many more under a Langevin thermostat at 600 K, watched by
-fix bond/topology. With --pair airebo or airebo/morse (or their /opt) the molecules are built with that potential, too. Writes OUT/suite.tsv and OUT/suite.md (which is also printed); data files, reports, logs and
-pictures stay in OUT. Meshes that the program refuses stand in the table with its reason, and with --follow-refusals
-they are built again at the size that it says would do; with --follow-advice also with the options that it names, one
-after the other, so that the table shows whether what it says is true. A run that was cut short goes on with --resume.
+fix bond/topology. With --pair airebo or airebo/morse (or their /opt) the molecules are built with that potential, too.
+Writes OUT/suite.tsv and OUT/suite.md (which is also printed), and OUT/index.html, which leads to a page of each molecule;
+data files, reports, logs and pictures stay in OUT. Meshes that the program refuses stand in the table with its reason, and
+with --follow-refusals they are built again at the size that it says would do; with --follow-advice also with the options
+that it names, one after the other, so that the table shows whether what it says is true. A run that was cut short goes on
+with --resume.
 """
 
 import argparse
@@ -16,7 +18,9 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import subprocess
 import sys
+import tempfile
 
 from measure import STYLES, row_of
 from table import write_tables
@@ -43,6 +47,7 @@ def arguments():
     parser.add_argument("--largest", type=int, default=40000, help="do not follow to more atoms than this")
     parser.add_argument("--lammps-energy", action="store_true",
                         help="minimise with LAMMPS's own pair style, too, and compare energies")
+    parser.add_argument("--no-pages", dest="pages", action="store_false", help="no pages of the molecules")
     parser.add_argument("--launcher", default="", help="command to put before every program, as 'nice -n 5'")
     words = sys.argv[1:]
     cut = words.index("--") if "--" in words else len(words)
@@ -56,7 +61,19 @@ def request_of(args):
     """What a row depends on besides the mesh and the program."""
     return {"atoms": args.atoms, "steps": args.steps, "pair": args.pair, "options": args.options,
             "follow": args.follow_refusals, "advice": args.follow_advice, "largest": args.largest,
-            "lammps": args.lammps_energy}
+            "lammps": args.lammps_energy, "pages": args.pages}
+
+
+def makes_pages(args):
+    """Whether the program was built with what pages need."""
+    with tempfile.TemporaryDirectory() as folder:
+        atoms = pathlib.Path(folder) / "two.xyz"
+        atoms.write_text("2\n\nC 0 0 0\nC 1.4 0 0\n")
+        done = subprocess.run([args.build / "preprocessor/cli/nanocarbon", "analyse", atoms, "-q", "--page",
+                               atoms.with_suffix(".html")], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        print(f"suite: no pages: {done.stderr.strip()}", file=sys.stderr)
+    return done.returncode == 0
 
 
 def row_or_old_row(args, mesh):
@@ -77,6 +94,7 @@ def main():
     if not (args.build / "preprocessor/cli/nanocarbon").exists():
         sys.exit(f"suite: no program in {args.build}: build first, see README.md")
     args.out.mkdir(parents=True, exist_ok=True)
+    args.pages = args.pages and makes_pages(args)
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     wanted = args.only.split(",")
     meshes = sorted(m for m in args.folder.iterdir()
@@ -90,7 +108,7 @@ def main():
         for done in concurrent.futures.as_completed(futures):
             rows[futures[done]] = done.result()
             print(f"suite: {len(rows)} of {len(meshes)}: {futures[done].name}", file=sys.stderr, flush=True)
-            write_tables(args.out, [rows[mesh] for mesh in meshes if mesh in rows])
+            write_tables(args.out, [rows[mesh] for mesh in meshes if mesh in rows], " ".join(sys.argv[1:]))
     print((args.out / "suite.md").read_text(), end="")
 
 

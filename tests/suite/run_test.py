@@ -4,6 +4,7 @@
 
 import csv
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -76,6 +77,18 @@ class Suite(unittest.TestCase):
     def test_an_option_that_a_refusal_names_is_given(self):
         self.assertIn("3 of 4 pieces are specks", self.rows["specks"]["refusal"])
         self.assertEqual(self.rows["specks"]["meV_above_graphene"], self.rows["sphere"]["meV_above_graphene"])
+
+    def test_every_molecule_has_a_page_that_the_index_leads_to(self):
+        out = pathlib.Path(self.folder.name) / "out"
+        index = (out / "index.html").read_text(encoding="utf-8")
+        if "<a " not in index:
+            self.assertIn("three.js", self.first.stderr)
+            self.skipTest("the program was built without three.js")
+        self.assertEqual(set(re.findall(r'<a href="[^"]*">([^<]*)</a>', index)), set(self.rows))
+        for page in re.findall(r'<a href="([^"]*)">', index):
+            text = (out / page).read_text(encoding="utf-8")
+            self.assertIn("nanocarbon build", text)
+            self.assertIn('id="contents"', text)
 
     def test_what_is_done_is_not_done_again(self):
         self.assertFalse(self.made_again)
