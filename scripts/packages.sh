@@ -20,4 +20,4 @@ build_packages=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libnanoflann
   zlib1g-dev gemmi-dev tao-pegtl-dev libjs-three)
 lammps_packages=(lammps liblammps-dev lammps-data libopenmpi-dev openmpi-bin)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev python3-ase valgrind doxygen groff-base dpkg-dev file)
-test_packages+=(pybind11-dev python3-dev)
+test_packages+=(pybind11-dev python3-dev python3-markdown-it python3-docutils)

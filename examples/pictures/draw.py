@@ -80,6 +80,21 @@ def mesh_as_data(mesh, like, path):
             out.write(f"{e + 1} 1 {a + 1} {b + 1}\n")
 
 
+def draw_files(out, files, view, pixels=480):
+    """Data files, and OFF meshes drawn as large as the last data file."""
+    molecules = [file for file in files if file.suffix != ".off"]
+    with tempfile.TemporaryDirectory() as folder:
+        scenes = []
+        for file in files:
+            if file.suffix == ".off":
+                data = pathlib.Path(folder) / f"{file.stem}.data"
+                mesh_as_data(file, molecules[-1], data)
+                scenes.append((data, {"atom": "0.3", "bond": "0.3", "colour": "steelblue"}))
+            else:
+                scenes.append((file, {}))
+        draw(out, scenes, view, pixels)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("out", type=pathlib.Path)
@@ -88,19 +103,9 @@ def main():
         parser.add_argument("--" + name, default=value)
     parser.add_argument("--pixels", type=int, default=480)
     args = parser.parse_args()
-    molecules = [file for file in args.files if file.suffix != ".off"]
-    if not molecules:
+    if all(file.suffix == ".off" for file in args.files):
         parser.error("at least one data file is needed")
-    with tempfile.TemporaryDirectory() as folder:
-        scenes = []
-        for file in args.files:
-            if file.suffix == ".off":
-                data = pathlib.Path(folder) / f"{file.stem}.data"
-                mesh_as_data(file, molecules[-1], data)
-                scenes.append((data, {"atom": "0.3", "bond": "0.3", "colour": "steelblue"}))
-            else:
-                scenes.append((file, {}))
-        draw(args.out, scenes, {name: getattr(args, name) for name in VIEW}, args.pixels)
+    draw_files(args.out, args.files, {name: getattr(args, name) for name in VIEW}, args.pixels)
 
 
 if __name__ == "__main__":
