@@ -14,7 +14,7 @@ namespace nanocarbon::building {
 //! A molecule annealed at full size under the tether, and what it is once it is let go.
 struct AnnealedStart {
   annealing::AnnealingLevel level;
-  Released released;
+  Released released = {};
   int refinements = 0;             //!< times that it was refined
   Mat3 strain = Mat3::Identity();  //!< of a periodic cell, and the surface in it, that it was annealed in
   Mat3 deformation = Mat3::Identity();  //!< of that cell, further, once it is let go
