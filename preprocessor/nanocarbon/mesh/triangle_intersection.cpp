@@ -81,6 +81,15 @@ bool part_at_common_corner(const Corners& s, const Corners& t) {
          away.dot(tb) < -margin * tb.norm() && away.dot(tc) < -margin * tc.norm();
 }
 
+// Certain, too: a plane across the line between their middles parts them.
+bool part_across_middles(const Corners& s, const Corners& t) {
+  const Vec3 sb = s.b - s.a, sc = s.c - s.a, ta = t.a - s.a, tb = t.b - s.a, tc = t.c - s.a;
+  const Vec3 along = ta + tb + tc - sb - sc;
+  const double size = std::max({sb.norm(), sc.norm(), ta.norm(), tb.norm(), tc.norm()});
+  return std::max({0.0, along.dot(sb), along.dot(sc)}) + 1e-9 * along.norm() * size <
+         std::min({along.dot(ta), along.dot(tb), along.dot(tc)});
+}
+
 // The triangle's corners, the vertices it shares first. Rotated only, so that it keeps its winding.
 int bring_shared_first(Triangle& triangle, const Triangle& other) {
   const auto shared = [&](VertexIndex v) { return std::find(other.begin(), other.end(), v) != other.end(); };
@@ -103,7 +112,8 @@ bool intersect(const TriangleMesh& mesh, const Triangle& first, const Triangle& 
   const Corners s = corners(one), t = corners(two);
   if (projection_axis(s) < 0 || projection_axis(t) < 0) return false;
   if (shared == 0)
-    return !all_on_one_side(s, t) && !all_on_one_side(t, s) && (sides_meet(s, t) || sides_meet(t, s));
+    return !part_across_middles(s, t) && !all_on_one_side(s, t) && !all_on_one_side(t, s) &&
+           (sides_meet(s, t) || sides_meet(t, s));
   // From the vertex that they share, what they have in common reaches out to the far side of one of them.
   if (shared == 1 && part_at_common_corner(s, t)) return false;
   if (shared == 1) return meets(s.b, s.c, t) || meets(t.b, t.c, s);
