@@ -2,6 +2,7 @@
 #include "fuzz/check_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/formats/cell_request.h"
@@ -48,7 +49,11 @@ std::string broken_by_surface(const TriangleMesh& mesh) {
       return "Euler's formula";
   }
   if (euler != topology.euler_characteristic) return "Euler's formula over the pieces";
-  if (topology.components == 1 && topology.closed() && mesh::signed_volume(mesh) < 0.0)
+  // A surface that crosses itself may have no volume, but for rounding.
+  double farthest = 0.0;
+  for (const Vec3& p : mesh.points) farthest = std::max(farthest, p.norm());
+  const double rounding = 1e-14 * static_cast<double>(mesh.triangles.size()) * std::pow(farthest, 3);
+  if (topology.components == 1 && topology.closed() && mesh::signed_volume(mesh) < -rounding)
     return "a usable mesh is inside-out";
   return {};
 }
