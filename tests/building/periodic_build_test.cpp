@@ -99,7 +99,7 @@ TEST(PeriodicBuild, ACylinderBecomesATubeWithoutADefect) {
     rebo2::Rebo2 potential;
     const auto relaxed =
         minimisation::minimise_in_cell(tube, potential, minimisation::CellRelaxation::isotropic);
-    EXPECT_NEAR(result.annealed->energy, relaxed.minimum.energy / static_cast<double>(tube.size()), 1e-3);
+    EXPECT_NEAR(result.rest->energy, relaxed.minimum.energy / static_cast<double>(tube.size()), 1e-3);
   }
 }
 
@@ -108,12 +108,12 @@ TEST(PeriodicBuild, ASheetBecomesGraphene) {
   options.relax_cell = minimisation::CellRelaxation::triclinic;
   const BuildResult flat = build_molecule(formula("z", Vec3(30, 33, 20), {true, true, false}), options);
   expect_hexagons(flat.molecule);
-  EXPECT_NEAR(flat.annealed->energy, graphene, 1e-4);
+  EXPECT_NEAR(flat.rest->energy, graphene, 1e-4);
   options.relax_cell.reset();  // or the ripple would go
   const BuildResult rippled = build_molecule(
       formula("z - 1.5*sin(2*pi*x/30)*sin(2*pi*y/33)", Vec3(30, 33, 20), {true, true, false}), options);
   expect_hexagons(rippled.molecule);
-  EXPECT_TRUE(rippled.annealed->intact);
+  EXPECT_TRUE(rippled.rest->intact);
   double highest = 0;
   for (const Vec3& p : rippled.molecule.positions) highest = std::max(highest, std::abs(p.z()));
   EXPECT_GT(highest, 0.7);

@@ -69,7 +69,7 @@ TEST(PotentialChoice, AireboKeepsATripleOnionApart) {
   BuildOptions options = draft_at_scale(PotentialChoice::airebo);
   options.quality = Quality::good;
   const BuildResult result = build_molecule(nested_spheres(8, 3.4, 3), options);
-  EXPECT_TRUE(result.annealed->intact);
+  EXPECT_TRUE(result.rest->intact);
   EXPECT_EQ(topology::connected_components(result.molecule.size(), result.molecule.bonds).count, 3u);
   EXPECT_GT(closest_of_different_components(result.molecule), 2.9);
 }
