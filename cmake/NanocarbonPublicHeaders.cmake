@@ -42,6 +42,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   minimisation/lbfgs.h
   minimisation/minimise_molecule.h
   molecule/bond_statistics.h
+  molecule/boundary_units.h
   molecule/dual.h
   molecule/formats/atom_style.h
   molecule/formats/lammps_data.h

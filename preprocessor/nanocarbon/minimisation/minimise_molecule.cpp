@@ -14,22 +14,24 @@ namespace {
 
 const Cell* cell_of(const Molecule& molecule) { return molecule.cell ? &*molecule.cell : nullptr; }
 
-// Whether a potential sees exactly the molecule's bonds between its carbons.
-bool bonds_are_those_seen(const Molecule& molecule, const BondCutoff& carbon) {
-  const NeighbourList near = neighbours_within(molecule.positions, cell_of(molecule), carbon.end);
-  const auto is_carbon = [&](AtomIndex a) { return molecule.elements[a] == Element::carbon; };
+// Whether a potential sees exactly the molecule's bonds.
+bool bonds_are_those_seen(const Molecule& molecule, const BondCutoffs& cutoffs) {
+  const NeighbourList near =
+      neighbours_within(molecule.positions, cell_of(molecule), cutoffs.carbon_carbon.end);
+  const auto cutoff = [&](AtomIndex a, AtomIndex b) {
+    return cutoffs.of(molecule.elements[a], molecule.elements[b]);
+  };
   const Space space(molecule.cell);
-  std::size_t seen = 0, listed = 0;
+  const auto apart = [&](AtomIndex a, AtomIndex b) {
+    return space.displacement(molecule.positions[a], molecule.positions[b]).norm();
+  };
+  std::size_t seen = 0;
   for (AtomIndex a = 0; a < molecule.size(); ++a)
-    for (const Neighbour& n : near.of(a)) seen += a < n.atom && is_carbon(a) && is_carbon(n.atom);
-  for (const Bond& bond : molecule.bonds) {
-    if (!is_carbon(bond.first) || !is_carbon(bond.second)) continue;
-    ++listed;
-    if (space.displacement(molecule.positions[bond.second], molecule.positions[bond.first]).norm() >
-        carbon.begin)
-      return false;
-  }
-  return seen == listed;
+    for (const Neighbour& n : near.of(a)) seen += a < n.atom && apart(a, n.atom) < cutoff(a, n.atom).end;
+  return seen == molecule.bonds.size() &&
+         std::all_of(molecule.bonds.begin(), molecule.bonds.end(), [&](const Bond& bond) {
+           return apart(bond.first, bond.second) <= cutoff(bond.first, bond.second).begin;
+         });
 }
 
 }  // namespace
@@ -56,7 +58,7 @@ MinimisationResult minimise_molecule(Molecule& molecule, potential::Potential& p
                                               .force_tolerance = options.force_tolerance,
                                               .preconditioner = preconditioner ? &*preconditioner : nullptr});
   return {relaxed.energy, relaxed.max_force, relaxed.iterations, relaxed.converged,
-          bonds_are_those_seen(molecule, potential.bond_cutoffs().carbon_carbon)};
+          bonds_are_those_seen(molecule, potential.bond_cutoffs())};
 }
 
 }  // namespace nanocarbon::minimisation

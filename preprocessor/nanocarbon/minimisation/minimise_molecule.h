@@ -18,7 +18,7 @@ struct MinimisationResult {
   double max_force = 0;  //!< eV/Angstrom
   int iterations = 0;
   bool converged = false;
-  bool intact = false;  //!< the potential sees the molecule's bonds whole, and no others between its carbons
+  bool intact = false;  //!< the potential sees the molecule's bonds whole, and no others
 };
 
 //! \brief Minimises the energy of a potential over all positions of a molecule, in a cell that stays as it is.

@@ -60,4 +60,18 @@ Molecule saturated_with_hydrogen(const Molecule& molecule, const HydrogenOptions
   return result;
 }
 
+std::size_t hydrogen_count(const Molecule& molecule) {
+  return static_cast<std::size_t>(
+      std::count(molecule.elements.begin(), molecule.elements.end(), Element::hydrogen));
+}
+
+Molecule carbon_skeleton(const Molecule& molecule) {
+  Molecule result = molecule;
+  const std::size_t carbons = molecule.size() - hydrogen_count(molecule);
+  result.positions.resize(carbons);
+  result.elements.resize(carbons);
+  std::erase_if(result.bonds, [&](const Bond& bond) { return std::max(bond.first, bond.second) >= carbons; });
+  return result;
+}
+
 }  // namespace nanocarbon::molecule

@@ -18,4 +18,10 @@ struct HydrogenOptions {
 //! \pre the bonds are known
 Molecule saturated_with_hydrogen(const Molecule& molecule, const HydrogenOptions& options = {});
 
+std::size_t hydrogen_count(const Molecule& molecule);
+
+//! The carbon of a molecule and the bonds within it; rings stay. Nothing changes without hydrogen.
+//! \pre hydrogen comes after all carbon, as above
+Molecule carbon_skeleton(const Molecule& molecule);
+
 }  // namespace nanocarbon::molecule

@@ -2,6 +2,7 @@
 // The interface of potentials, for everything that needs energies or forces.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,17 @@ class Potential {
 
   //! Energy per atom of a flat, relaxed sheet of graphene, eV: the reference for other energies.
   virtual double graphene_energy() const = 0;
+
+  //! \brief What a hydrogen atom at the edge of a sheet counts for, eV: what benzene has beyond six atoms of
+  //! graphene, a sixth of it.
+  //! \details Carbon that binds hydrogen as benzene does is then at no cost above graphene.
+  virtual double hydrogen_energy() const = 0;
+
+  //! Energy of a structure above as many atoms of graphene, and its hydrogen as in benzene; eV.
+  double above_graphene(double energy, std::size_t carbons, std::size_t hydrogens) const {
+    return energy - static_cast<double>(carbons) * graphene_energy() -
+           static_cast<double>(hydrogens) * hydrogen_energy();
+  }
 
   //! The largest number of bonds over which atoms interact.
   virtual unsigned bonded_reach() const { return 3; }

@@ -177,6 +177,11 @@ std::vector<potential::EnergyPart> Airebo::parts() const {
 
 const BondCutoffs& Airebo::bond_cutoffs() const { return state_->cutoffs; }
 double Airebo::graphene_energy() const { return state_->model.parameters.graphene_energy; }
+
+double Airebo::hydrogen_energy() const {
+  const AireboParameters& parameters = state_->model.parameters;
+  return parameters.benzene_energy / 6 - parameters.graphene_energy;
+}
 double Airebo::unbonded_reach() const { return long_range_reach(state_->model); }
 
 std::size_t Airebo::general_atoms() const { return state_->fast.general_atoms(); }

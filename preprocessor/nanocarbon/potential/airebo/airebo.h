@@ -44,6 +44,7 @@ class Airebo final : public potential::Potential {
   std::vector<potential::EnergyPart> parts() const override;
   const BondCutoffs& bond_cutoffs() const override;
   double graphene_energy() const override;
+  double hydrogen_energy() const override;
   double unbonded_reach() const override;
 
   //! Number of atoms whose bonds the last fast evaluation left to the general terms.

@@ -100,14 +100,14 @@ LjParameters lj_parameters(const AireboParameters& parameters, const AireboTerms
 }
 
 const AireboParameters& airebo_parameters() {
-  static const AireboParameters parameters = {LjForm::lennard_jones, rebo_part(), lennard_jones,
-                                              torsion_barriers, -7.4265837613};
+  static const AireboParameters parameters = {LjForm::lennard_jones, rebo_part(),   lennard_jones,
+                                              torsion_barriers,      -7.4265837613, -59.0751381406};
   return parameters;
 }
 
 const AireboParameters& airebo_m_parameters() {
-  static const AireboParameters parameters = {LjForm::morse, rebo_part(), morse, torsion_barriers,
-                                              -7.4179729649};
+  static const AireboParameters parameters = {LjForm::morse,    rebo_part(),   morse,
+                                              torsion_barriers, -7.4179729649, -59.0751924458};
   return parameters;
 }
 

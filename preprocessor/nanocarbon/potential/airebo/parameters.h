@@ -27,6 +27,7 @@ struct AireboParameters {
   std::array<LongRangeParameters, 3> long_range;  //!< by pair_index()
   rebo2::TorsionBarriers torsion;
   double graphene_energy;  //!< per atom of a flat, relaxed sheet, eV; from LAMMPS
+  double benzene_energy;   //!< relaxed, eV; from LAMMPS
 };
 
 //! \brief Which terms of AIREBO are wanted, and how far E_LJ reaches: the arguments of LAMMPS's `pair_style

@@ -66,6 +66,9 @@ struct Rebo2Parameters {
 //! Energy per atom of a flat, relaxed sheet of graphene (bonds of 1.42040 Angstrom), eV.
 inline constexpr double graphene_energy = -7.3949972517;
 
+//! A sixth of the energy of benzene, -59.3095690720 eV from LAMMPS, less an atom of graphene; eV.
+inline constexpr double hydrogen_energy = -59.3095690720 / 6 - graphene_energy;
+
 //! The published parameters.
 const Rebo2Parameters& rebo2_parameters();
 

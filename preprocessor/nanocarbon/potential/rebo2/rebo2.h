@@ -40,6 +40,7 @@ class Rebo2 final : public potential::Potential {
   std::vector<potential::EnergyPart> parts() const override;
   const BondCutoffs& bond_cutoffs() const override;
   double graphene_energy() const override { return rebo2::graphene_energy; }
+  double hydrogen_energy() const override { return rebo2::hydrogen_energy; }
 
   //! Number of atoms that the last evaluation left to the general terms; all of them if only those were asked for.
   std::size_t general_atoms() const;
