@@ -21,13 +21,56 @@ bool is_safe(double longest_bond, double closest_unbonded) {
 
 }  // namespace
 
+namespace {
+
+// Atoms with one neighbour or none; what their removal leaves so is removed as well.
+std::vector<AtomIndex> dead_ends(const TrivalentNetwork& network) {
+  std::vector<unsigned> degree;
+  std::vector<AtomIndex> ends;
+  for (const TrivalentAtom& atom : network.atoms)
+    degree.push_back(static_cast<unsigned>(std::count_if(atom.neighbour.begin(), atom.neighbour.end(),
+                                                         [](AtomIndex n) { return n != no_atom; })));
+  for (AtomIndex a = 0; a < degree.size(); ++a)
+    if (degree[a] < 2) ends.push_back(a);
+  for (std::size_t k = 0; k < ends.size(); ++k)
+    for (const AtomIndex n : network.atoms[ends[k]].neighbour)
+      if (n != no_atom && --degree[n] == 1) ends.push_back(n);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+TriangleMesh without(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
+  TriangleMesh kept;
+  kept.space = mesh.space;
+  std::vector<VertexIndex> renumbered(mesh.points.size(), no_atom);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (std::binary_search(triangles.begin(), triangles.end(), t)) continue;
+    Triangle corners = mesh.triangles[t];
+    for (VertexIndex& v : corners) {
+      if (renumbered[v] == no_atom) {
+        renumbered[v] = static_cast<VertexIndex>(kept.points.size());
+        kept.points.push_back(mesh.points[v]);
+      }
+      v = renumbered[v];
+    }
+    kept.triangles.push_back(corners);
+  }
+  return kept;
+}
+
+}  // namespace
+
 std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean) {
   AnnealingLevel level;
   try {
     level.state.network = trivalent_network(triangulation);
+    const std::vector<AtomIndex> ends = dead_ends(level.state.network);
+    if (!ends.empty()) return level_on(without(triangulation, ends), tether, free_mean);
   } catch (const UserError&) {
     return {};
   }
+  level.state.network.hydrogen = true;
   level.state.space = triangulation.space;
   for (const Triangle& t : triangulation.triangles) {
     const auto [a, b, c] = corners_of(triangulation, t);

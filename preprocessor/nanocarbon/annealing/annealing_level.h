@@ -16,7 +16,8 @@ struct AnnealingLevel {
   bool sound = false;        //!< REBO2 would see the intended bonds; as of relax_level()
 };
 
-//! The dual of a triangulation as it is. Nothing if parts are so thin for its faces that it pinches them.
+//! The dual of a triangulation as it is, but for triangles that hang on by one side, which are left out; with
+//! hydrogen at its boundary. Nothing if parts are so thin for its faces that it pinches them.
 std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean);
 
 //! Whether REBO2 would see the intended bonds at the present positions, with a margin for relaxation without

@@ -22,7 +22,28 @@ double default_penalty(double target) {
   return std::max(1 / target, std::min(200000 / (target * target), 0.05));
 }
 
-// Rings that are not hexagons, with constant-time updates and an order that depends only on the history.
+// A chain of the boundary and what lies beside it along the boundary.
+struct ChainPlace {
+  RingIndex before, after;
+};
+
+ChainPlace chain_place(const TrivalentNetwork& network, RingIndex chain) {
+  std::vector<AtomIndex> atoms;
+  std::vector<RingIndex> link;
+  link_of(network, chain, atoms, link);
+  return {link.front(), link.back()};
+}
+
+// Part of a straight zigzag or armchair edge.
+bool is_regular(const TrivalentNetwork& network, RingIndex chain) {
+  const std::uint32_t size = network.rings[chain].size;
+  if (size < 2 || size > 4) return false;
+  const ChainPlace place = chain_place(network, chain);
+  return network.rings[place.before].size == 6 - size && network.rings[place.after].size == 6 - size;
+}
+
+// Rings that are not hexagons and irregular chains of the boundary, with constant-time updates and an order that
+// depends only on the history.
 class DefectList {
  public:
   explicit DefectList(const TrivalentNetwork& network) {
@@ -31,7 +52,7 @@ class DefectList {
   void update(const TrivalentNetwork& network, RingIndex ring) {
     if (place_.size() <= ring) place_.resize(network.rings.size(), none);
     const TrivalentRing& r = network.rings[ring];
-    const bool defect = r.size != 0 && r.size != 6 && !r.boundary;
+    const bool defect = r.size != 0 && (r.boundary ? !is_regular(network, ring) : r.size != 6);
     if (defect == (place_[ring] != none)) return;
     if (defect) {
       place_[ring] = list_.size();
@@ -189,29 +210,41 @@ class Annealer {
   }
 
   void commit(const Trial& trial) {
-    const auto added = commit_edit(state_.network, *trial.edit, free_atoms_, free_rings_);
+    const CommittedEdit made = commit_edit(state_.network, *trial.edit, free_atoms_, free_rings_);
     state_.positions.resize(state_.network.atoms.size(), Vec3::Zero());
     state_.planes.resize(state_.network.atoms.size());
+    const bool bounded = !state_.edges.empty();
+    if (bounded) state_.edges.resize(state_.network.atoms.size(), {Vec3::Zero(), Vec3::Zero()});
     changed_.resize(state_.network.atoms.size(), 0);
     identity_.resize(state_.network.atoms.size());
-    if (trial.edit->atoms_added() > 0)
-      for (const AtomIndex a : added) identity_[a] = next_identity_++;
+    for (int k = 0; k < trial.edit->added; ++k)
+      identity_[made.atoms[static_cast<std::size_t>(k)]] = next_identity_++;
     for (std::size_t k = 0; k < trial.moved.size(); ++k) {
-      AtomIndex a = trial.moved[k];
-      if (a == added_atoms[0]) a = added[0];
-      if (a == added_atoms[1]) a = added[1];
+      const AtomIndex a = made.entry(trial.moved[k]);
       state_.positions[a] = trial.positions[k];
       state_.planes[a] = trial.planes[k];
+      if (bounded) state_.edges[a] = trial.edges[k];
       changed_[a] = batch_number_;
     }
     atoms_ = static_cast<std::size_t>(static_cast<long>(atoms_) + trial.edit->atoms_added());
-    for (const auto& [ring, change] : trial.edit->rings)
-      if (ring != added_ring) defects_.update(state_.network, ring);
-    for (const auto& change : trial.edit->atoms)
-      if (change.record.exists())
-        for (const RingIndex r : change.record.ring)
-          if (r == added_ring) defects_.update(state_.network, state_.network.atoms[added[0]].ring[2]);
+    update_defects(*trial.edit, made);
     ++result_.accepted;
+  }
+
+  void update_defects(const NetworkEdit& edit, const CommittedEdit& made) {
+    const TrivalentNetwork& network = state_.network;
+    for (const bool added : {false, true})
+      for (const auto& [ring, change] : edit.rings)
+        if (is_added_ring(ring) == added) defects_.update(network, made.ring_entry(ring));
+    // Whether a chain is regular depends on those beside it.
+    for (const auto& change : edit.atoms) {
+      if (!change.record.exists()) continue;
+      for (const RingIndex ring : network.atoms[made.entry(change.atom)].ring) {
+        if (!network.rings[ring].boundary) continue;
+        const ChainPlace place = chain_place(network, ring);
+        for (const RingIndex chain : {ring, place.before, place.after}) defects_.update(network, chain);
+      }
+    }
   }
 
   void compact_state() {
@@ -220,11 +253,13 @@ class Annealer {
     for (std::size_t a = 0; a < former.size(); ++a) {
       state_.positions[a] = state_.positions[former[a]];
       state_.planes[a] = state_.planes[former[a]];
+      if (!state_.edges.empty()) state_.edges[a] = state_.edges[former[a]];
       changed_[a] = changed_[former[a]];
       identity_[a] = identity_[former[a]];
     }
     state_.positions.resize(former.size());
     state_.planes.resize(former.size());
+    if (!state_.edges.empty()) state_.edges.resize(former.size());
     free_atoms_.clear();
     free_rings_.clear();
     changed_.resize(former.size());
@@ -266,6 +301,8 @@ double relax_state(SwitchingState& state, const TetherSurface& surface, int max_
       minimise_fixed_bonds(model, &surface, state.positions,
                            {.max_iterations = max_iterations, .force_tolerance = force_tolerance});
   state.planes = std::move(model.planes);
+  state.edges = std::move(model.edges);
+  state.reach = model.reach;
   state.mean_height = state.free_mean ? mean_height(state.planes, state.positions) : 0;
   state.contacts = std::move(model.contacts);
   state.contacts.renew(state.positions, model.rebo2.graph());

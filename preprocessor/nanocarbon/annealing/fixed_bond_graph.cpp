@@ -30,6 +30,7 @@ FixedBondGraph fixed_bond_graph(const Molecule& molecule) {
 FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network, const Space& space) {
   FixedBondGraph graph;
   graph.space = space;
+  graph.hydrogen = network.hydrogen;
   graph.neighbours.reserve(network.atoms.size());
   for (const TrivalentAtom& atom : network.atoms)
     graph.neighbours.push_back(atom.exists() ? atom.neighbour : std::array{no_atom, no_atom, no_atom});

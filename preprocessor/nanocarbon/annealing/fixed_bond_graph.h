@@ -20,12 +20,19 @@ namespace nanocarbon::annealing {
 struct FixedBondGraph {
   std::vector<std::array<AtomIndex, 3>> neighbours;
   std::size_t inner = static_cast<std::size_t>(-1);
+  bool hydrogen =
+      false;         //!< whether atoms with two neighbours bind hydrogen, which has no entry (open_atoms.h)
   Space space = {};  //!< of the positions: in a cell each bond is with the nearest image
 
   std::size_t inner_count() const { return std::min(inner, neighbours.size()); }
   bool complete(AtomIndex atom) const {
     const auto& n = neighbours[atom];
     return n[0] != no_atom && n[1] != no_atom && n[2] != no_atom;
+  }
+  //! Whether an atom has two neighbours, and hydrogen in place of the third.
+  bool open(AtomIndex atom) const {
+    const auto& n = neighbours[atom];
+    return hydrogen && (n[0] == no_atom) + (n[1] == no_atom) + (n[2] == no_atom) == 1;
   }
   //! Which of an atom's three neighbours another is.
   //! \pre they are bonded

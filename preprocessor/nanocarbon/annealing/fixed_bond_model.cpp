@@ -21,6 +21,14 @@ multilevel::Holds holds_of(std::span<const TangentPlane> planes, double tether) 
   return holds;
 }
 
+// Where the surface's size may follow the molecule, so may how far the boundary reaches.
+void hold_boundary(FixedBondModel& model, const TetherSurface& surface, std::span<const Vec3> positions) {
+  const FixedBondGraph& graph = model.rebo2.graph();
+  if (surface.boundary().empty() || !graph.hydrogen) return;
+  model.edges = boundary_planes(surface.boundary(), graph, positions);
+  model.reach = model.free_mean ? mean_reach(model.edges, graph, positions) : -open_atom_depth;
+}
+
 }  // namespace
 
 double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
@@ -28,6 +36,7 @@ double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3>
   energy += add_guards(rebo2.graph(), positions, gradient);
   energy += contacts.evaluate(positions, rebo2.graph(), gradient);
   if (!planes.empty()) energy += add_tether(planes, tether, positions, gradient, free_mean);
+  energy += add_boundary_tether(edges, rebo2.graph(), reach, positions, gradient);
   return energy;
 }
 
@@ -41,7 +50,10 @@ minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const Teth
   minimisation::LbfgsResult result;
   int iterations = 0;
   do {
-    if (surface) model.planes = tangent_planes(*surface, positions, model.planes);
+    if (surface) {
+      model.planes = tangent_planes(*surface, positions, model.planes);
+      hold_boundary(model, *surface, positions);
+    }
     if (preconditioner) preconditioner->renew(positions, holds_of(model.planes, model.tether));
     minimisation::LbfgsOptions part = options;
     part.max_iterations = options.max_iterations - iterations;

@@ -18,6 +18,8 @@ struct FixedBondModel {
   std::vector<TangentPlane> planes;  //!< one for each atom; empty for no tether
   double tether = 0;                 //!< eV/Angstrom^2
   bool free_mean = true;             //!< of the heights above the surface, see add_tether()
+  std::vector<TangentPlane> edges;  //!< across the surface at its boundary (boundary_curve.h); empty for none
+  double reach = -open_atom_depth;  //!< of open atoms beyond these
 
   //! Sum of the terms in eV; gradient added to.
   double evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient);

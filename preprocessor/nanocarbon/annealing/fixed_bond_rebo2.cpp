@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "nanocarbon/annealing/open_atoms.h"
 #include "nanocarbon/potential/rebo2/angular_spline.h"
 #include "nanocarbon/potential/rebo2/coordination_tables.h"
 #include "nanocarbon/potential/rebo2/pair_terms.h"
@@ -20,13 +21,6 @@ double torsion_constant() {
   return constant;
 }
 
-// Directions perpendicular to a bond of the two other bonds at one of its ends (dihedral term).
-struct Fan {
-  Vec3 u[2];
-  double sine[2];
-  double along[2];
-};
-
 // Below this sine of the angle at the bond a dihedral angle has no direction; keeps forces finite.
 constexpr double least_sine = 1e-3;
 
@@ -35,15 +29,33 @@ constexpr std::uint32_t no_half = static_cast<std::uint32_t>(-1);
 
 }  // namespace
 
+// Directions perpendicular to a bond of the other bonds at one of its ends (dihedral term). At an open atom
+// hydrogen lies opposite to the other carbon in that projection: it doubles its terms, which are even.
+struct FixedBondRebo2::Fan {
+  std::uint32_t halves[2];
+  Vec3 u[2];
+  double sine[2];
+  double along[2];
+  int arms = 0;
+  double weight = 1;  // of each
+};
+
 void FixedBondRebo2::set_graph(const FixedBondGraph& graph) {
   graph_ = graph;
   loops_.set_graph(graph_);
   incomplete_.clear();
   for (AtomIndex a = 0; a < graph_.inner_count(); ++a)
     if (!graph_.complete(a)) incomplete_.push_back(a);
+  beside_open_.clear();
+  for (const AtomIndex a : incomplete_)
+    if (graph_.open(a))
+      for (const AtomIndex n : graph_.neighbours[a])
+        if (n < graph_.inner_count() && graph_.complete(n)) beside_open_.push_back(n);
+  std::sort(beside_open_.begin(), beside_open_.end());
+  beside_open_.erase(std::unique(beside_open_.begin(), beside_open_.end()), beside_open_.end());
 }
 
-void FixedBondRebo2::set_edges(std::size_t atom, std::span<const Vec3> positions) {
+double FixedBondRebo2::set_edges(std::size_t atom, std::span<const Vec3> positions) {
   for (unsigned s = 0; s < 3; ++s) {
     const AtomIndex n = graph_.neighbours[atom][s];
     if (n == no_atom) {
@@ -54,95 +66,125 @@ void FixedBondRebo2::set_edges(std::size_t atom, std::span<const Vec3> positions
     const double r = d.norm();
     edges_[3 * atom + s] = {d.x() / r, d.y() / r, d.z() / r, r};
   }
-  set_angles(atom);
+  return set_angles(atom);
 }
 
-void FixedBondRebo2::set_angles(std::size_t atom) {
+double FixedBondRebo2::set_angles(std::size_t atom) {
   const HalfEdge* e = &edges_[3 * atom];
   Angle* angle = &angles_[3 * atom];
   const auto& neighbours = graph_.neighbours[atom];
+  double hydrogen = 0;
   for (unsigned s = 0; s < 3; ++s) {
     const unsigned a = (s + 1) % 3, b = (s + 2) % 3;
     if (neighbours[a] == no_atom || neighbours[b] == no_atom) {
-      angle[s] = {0, 0, 0, 0};
+      angle[s] = {0, 0, 0, 0, 0};
       continue;
     }
     const double cosine = e[a].x * e[b].x + e[a].y * e[b].y + e[a].z * e[b].z;
+    if (graph_.hydrogen && neighbours[s] == no_atom) {
+      const OpenAtom open = open_atom(cosine);
+      angle[s] = {cosine, open.angular_sum, open.by_cosine, 0, open.hydrogen_slope};
+      hydrogen = open.hydrogen;
+      continue;
+    }
     const rebo2::ValueSlope g = rebo2::angular_carbon_few(rebo2::rebo2_parameters().carbon, cosine);
-    angle[s] = {cosine, g.value, g.slope, 0};
+    angle[s] = {cosine, g.value, g.slope, 0, 0};
   }
+  return hydrogen;
 }
 
-double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse) {
-  const HalfEdge& edge = edges_[h];
-  const double r = edge.length;
+double FixedBondRebo2::add_half_order(std::uint32_t half, double attraction) {
+  const std::uint32_t atom = half / 3, slot = half % 3;
+  Angle* angle = &angles_[3 * atom];
+  const unsigned k[2] = {(slot + 1) % 3, (slot + 2) % 3};
+  const double zeta = 1 + angle[k[0]].g + angle[k[1]].g;
+  const double p = 1 / std::sqrt(zeta);
+  const double weight = attraction * 0.5 * -0.5 * p / zeta;
+  angle[k[0]].weight += weight;
+  angle[k[1]].weight += weight;
+  return 0.5 * p;
+}
+
+FixedBondRebo2::Fan FixedBondRebo2::fan_of(std::uint32_t half, const Vec3& axis) const {
+  const std::uint32_t atom = half / 3;
+  Fan fan;
+  for (unsigned n = 1; n < 3; ++n) {
+    const std::uint32_t slot = (half % 3 + n) % 3;
+    if (graph_.neighbours[atom][slot] == no_atom) {
+      fan.weight = 2;
+      continue;
+    }
+    const HalfEdge& other = edges_[3 * atom + slot];
+    const Vec3 e(other.x, other.y, other.z);
+    const int k = fan.arms++;
+    fan.halves[k] = 3 * atom + slot;
+    fan.along[k] = e.dot(axis);
+    const Vec3 across = e - fan.along[k] * axis;
+    fan.sine[k] = std::max(across.norm(), least_sine);
+    fan.u[k] = across / fan.sine[k];
+  }
+  return fan;
+}
+
+double FixedBondRebo2::add_dihedral(const std::array<std::uint32_t, 2>& halves, double attraction) {
+  const HalfEdge& edge = edges_[halves[0]];
+  const Vec3 axis(edge.x, edge.y, edge.z);
+  const Fan fan[2] = {fan_of(halves[0], axis), fan_of(halves[1], axis)};
+  const double weight = fan[0].weight * fan[1].weight;
+  const double scale = weight * torsion_constant() * attraction;
+  double sum = 4;
+  Vec3 on_axis = Vec3::Zero();
+  for (int end = 0; end < 2; ++end) {
+    const Fan& here = fan[end];
+    const Fan& there = fan[1 - end];
+    for (int n = 0; n < here.arms; ++n) {
+      Vec3 by_u = Vec3::Zero();
+      for (int m = 0; m < there.arms; ++m) {
+        const double c = here.u[n].dot(there.u[m]);
+        if (end == 0) sum -= weight * c * c;
+        by_u -= 2 * scale * c * there.u[m];
+      }
+      const Vec3 by_e = (by_u - by_u.dot(here.u[n]) * here.u[n]) / here.sine[n];
+      HalfEdge& target = edge_gradient_[here.halves[n]];
+      target.x += by_e.x();
+      target.y += by_e.y();
+      target.z += by_e.z();
+      on_axis -= here.along[n] * by_e;
+    }
+  }
+  HalfEdge& own = edge_gradient_[halves[0]];
+  own.x += on_axis.x();
+  own.y += on_axis.y();
+  own.z += on_axis.z();
+  return torsion_constant() * sum;
+}
+
+double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse, bool reverse_half_too) {
+  const double r = edges_[h].length;
   const rebo2::PairParameters& pair =
       rebo2::rebo2_parameters().pairs[rebo2::pair_index(Element::carbon, Element::carbon)];
   const rebo2::ValueSlope repulsion = rebo2::pair_repulsion(pair, r),
                           attraction = rebo2::pair_attraction(pair, r);
-
-  const Vec3 axis(edge.x, edge.y, edge.z);
-  double order = 0;
-  Fan fan[2];
-  const int ends = reverse == no_half ? 1 : 2;
-  const double share = 0.5 * ends;
-  bool dihedral = ends == 2;
-  for (int end = 0; end < ends; ++end) {
-    const std::uint32_t half = end == 0 ? h : reverse, atom = half / 3, slot = half % 3;
-    Angle* angle = &angles_[3 * atom];
-    const unsigned k[2] = {(slot + 1) % 3, (slot + 2) % 3};
-    const double zeta = 1 + angle[k[0]].g + angle[k[1]].g;
-    const double p = 1 / std::sqrt(zeta);
-    order += 0.5 * p;
-    const double weight = attraction.value * 0.5 * -0.5 * p / zeta;
-    angle[k[0]].weight += weight;
-    angle[k[1]].weight += weight;
-    for (int n = 0; n < 2; ++n) {
-      dihedral &= graph_.neighbours[atom][k[n]] != no_atom;
-      const HalfEdge& other = edges_[3 * atom + k[n]];
-      const Vec3 e(other.x, other.y, other.z);
-      // The angle between slots `slot` and k[n] is the one opposite to the third slot.
-      fan[end].along[n] = e.dot(axis);
-      const Vec3 across = e - fan[end].along[n] * axis;
-      fan[end].sine[n] = std::max(across.norm(), least_sine);
-      fan[end].u[n] = across / fan[end].sine[n];
+  double share = 0.5, order = add_half_order(h, attraction.value);
+  if (reverse != no_half) {
+    if (reverse_half_too) {
+      share = 1;
+      order += add_half_order(reverse, attraction.value);
     }
+    const AtomIndex one = h / 3, other = reverse / 3;
+    const std::size_t open = (graph_.open(one) ? 1 : 0) + (graph_.open(other) ? 1 : 0);
+    if (open > 0) order += pi_of_open_bond(open);
+    if (has_fan(one) && has_fan(other)) order += add_dihedral({h, reverse}, attraction.value);
   }
-  HalfEdge& own = edge_gradient_[h];
-  if (dihedral) {
-    double sum = 4;
-    Vec3 on_axis = Vec3::Zero();
-    const double scale = torsion_constant() * attraction.value;
-    for (int end = 0; end < 2; ++end) {
-      const std::uint32_t half = end == 0 ? h : reverse, atom = half / 3, slot = half % 3;
-      const Fan& here = fan[end];
-      const Fan& there = fan[1 - end];
-      for (int n = 0; n < 2; ++n) {
-        const double c0 = here.u[n].dot(there.u[0]), c1 = here.u[n].dot(there.u[1]);
-        if (end == 0) sum -= c0 * c0 + c1 * c1;
-        const Vec3 by_u = -2 * scale * (c0 * there.u[0] + c1 * there.u[1]);
-        const Vec3 by_e = (by_u - by_u.dot(here.u[n]) * here.u[n]) / here.sine[n];
-        HalfEdge& target = edge_gradient_[3 * atom + (slot + 1 + n) % 3];
-        target.x += by_e.x();
-        target.y += by_e.y();
-        target.z += by_e.z();
-        on_axis -= here.along[n] * by_e;
-      }
-    }
-    own.x += on_axis.x();
-    own.y += on_axis.y();
-    own.z += on_axis.z();
-    order += torsion_constant() * sum;
-  }
-  own.length = share * repulsion.slope + order * attraction.slope;
+  edge_gradient_[h].length = share * repulsion.slope + order * attraction.slope;
   return share * repulsion.value + order * attraction.value;
 }
 
 double FixedBondRebo2::evaluate_each_bond(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   const std::size_t atoms = graph_.inner_count();
   resize_scratch();
-  for (std::size_t a = 0; a < atoms; ++a) set_edges(a, positions);
   double energy = 0;
+  for (std::size_t a = 0; a < atoms; ++a) energy += set_edges(a, positions);
   for (AtomIndex a = 0; a < atoms; ++a)
     for (std::uint32_t s = 0; s < 3; ++s) {
       const AtomIndex n = graph_.neighbours[a][s];
@@ -158,14 +200,22 @@ double FixedBondRebo2::evaluate(std::span<const Vec3> positions, std::span<Vec3>
   if (!fast) return evaluate_each_bond(positions, gradient);
   double energy = *fast;
   if (incomplete_.empty()) return energy;
-  // Bonds of incomplete atoms have no dihedral: each end is for itself.
   resize_scratch();
-  for (const AtomIndex a : incomplete_) {
-    set_edges(a, positions);
-    for (std::uint32_t s = 0; s < 3; ++s)
-      if (graph_.neighbours[a][s] != no_atom) energy += add_bond(3 * a + s, no_half);
-    add_forces(a, gradient);
-  }
+  for (const AtomIndex a : incomplete_) energy += set_edges(a, positions);
+  for (const AtomIndex a : beside_open_) set_edges(a, positions);
+  for (const AtomIndex a : incomplete_)
+    for (std::uint32_t s = 0; s < 3; ++s) {
+      const AtomIndex n = graph_.neighbours[a][s];
+      if (n == no_atom) continue;
+      // Without hydrogen, bonds of incomplete atoms have no dihedral: each end is for itself. With it one end
+      // evaluates what belongs to both; of a complete neighbour the loops have the half.
+      const bool both = graph_.hydrogen && !graph_.complete(n);
+      if (both && n < a) continue;
+      const bool together = graph_.hydrogen && n < graph_.inner_count();
+      energy += add_bond(3 * a + s, together ? 3 * n + graph_.slot(n, a) : no_half, both);
+    }
+  for (const AtomIndex a : incomplete_) add_forces(a, gradient);
+  for (const AtomIndex a : beside_open_) add_forces(a, gradient);
   return energy;
 }
 
@@ -181,7 +231,7 @@ void FixedBondRebo2::add_forces(std::size_t a, std::span<Vec3> gradient) {
   HalfEdge* g = &edge_gradient_[3 * a];
   for (unsigned s = 0; s < 3; ++s) {
     const Angle& angle = angles_[3 * a + s];
-    const double w = angle.weight * angle.slope;
+    const double w = angle.weight * angle.slope + angle.direct;
     if (w == 0) continue;
     const unsigned i = (s + 1) % 3, j = (s + 2) % 3;
     g[i].x += w * e[j].x, g[i].y += w * e[j].y, g[i].z += w * e[j].z;

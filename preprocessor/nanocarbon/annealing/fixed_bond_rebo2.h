@@ -16,7 +16,8 @@ namespace nanocarbon::annealing {
 //! of g_C and the dihedral term with T = -0.004048; P_CC(2, 0) and pi_RC vanish. Minima agree with the full
 //! potential as long as bonds stay below 1.7 Angstrom and other pairs above 2.0. Atoms with fewer bonds
 //! (boundaries) get no dihedral and no pi_RC term, which is an approximation. Brenner et al., J. Phys.
-//! Condens. Matter 14, 783 (2002).
+//! Condens. Matter 14, 783 (2002). Where the graph says that such atoms with two bonds hold hydrogen, its energy,
+//! less that of hydrogen in benzene, and what it does to the bonds beside it are added (open_atoms.h).
 class FixedBondRebo2 {
  public:
   void set_graph(const FixedBondGraph& graph);
@@ -36,7 +37,9 @@ class FixedBondRebo2 {
   };
   struct Angle {
     double cosine, g, slope, weight;
+    double direct;  // slope of what an open atom's hydrogen adds
   };
+  struct Fan;
   std::vector<HalfEdge> edges_;
   // dE by the unit vector, and in place of the length dE by the length: of a bond at the half-edge that it is
   // evaluated from.
@@ -45,12 +48,18 @@ class FixedBondRebo2 {
 
   FixedBondGraph graph_;
   FixedBondLoops loops_;
-  std::vector<AtomIndex> incomplete_;  // inner atoms with less than three bonds
+  std::vector<AtomIndex> incomplete_;   // inner atoms with less than three bonds
+  std::vector<AtomIndex> beside_open_;  // complete inner atoms that are bonded to open ones
 
   void resize_scratch();
-  void set_edges(std::size_t atom, std::span<const Vec3> positions);
-  void set_angles(std::size_t atom);
-  double add_bond(std::uint32_t h, std::uint32_t reverse);
+  // Return the energy of the atom's hydrogen, if any.
+  double set_edges(std::size_t atom, std::span<const Vec3> positions);
+  double set_angles(std::size_t atom);
+  bool has_fan(AtomIndex atom) const { return graph_.complete(atom) || graph_.open(atom); }
+  Fan fan_of(std::uint32_t half, const Vec3& axis) const;
+  double add_half_order(std::uint32_t half, double attraction);
+  double add_dihedral(const std::array<std::uint32_t, 2>& halves, double attraction);
+  double add_bond(std::uint32_t h, std::uint32_t reverse, bool reverse_half_too = true);
   void add_forces(std::size_t atom, std::span<Vec3> gradient);
 };
 

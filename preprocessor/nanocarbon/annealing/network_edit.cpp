@@ -5,33 +5,41 @@
 
 namespace nanocarbon::annealing {
 
+TrivalentAtom& EditBuilder::record(AtomIndex atom) {
+  for (NetworkEdit::AtomChange& change : edit_.atoms)
+    if (change.atom == atom) return change.record;
+  edit_.atoms.push_back({atom, network_.atoms[atom]});
+  return edit_.atoms.back().record;
+}
+
+void EditBuilder::remove(AtomIndex atom) {
+  add(atom, {{no_atom, no_atom, no_atom}, {no_atom, no_atom, no_atom}});
+  ++edit_.removed;
+}
+
+void EditBuilder::rebond(AtomIndex atom, AtomIndex from, AtomIndex to) {
+  if (atom == no_atom) return;
+  TrivalentAtom& changed = record(atom);
+  changed.neighbour[slot_of_neighbour(changed, from)] = to;
+}
+
+void EditBuilder::relabel(AtomIndex atom, RingIndex from, RingIndex to) {
+  TrivalentAtom& changed = record(atom);
+  changed.ring[slot_of_ring(changed, from)] = to;
+}
+
+void link_of(const TrivalentNetwork& network, RingIndex ring, std::vector<AtomIndex>& atoms,
+             std::vector<RingIndex>& link) {
+  atoms_of_ring(network, ring, atoms);
+  link.clear();
+  for (const AtomIndex a : atoms)
+    link.push_back(network.atoms[a].ring[(slot_of_ring(network.atoms[a], ring) + 1) % 3]);
+  if (!network.rings[ring].boundary) return;
+  const TrivalentAtom& last = network.atoms[atoms.back()];
+  link.push_back(last.ring[(slot_of_ring(last, ring) + 2) % 3]);
+}
+
 namespace {
-
-// Collects records that start as those of the network.
-class EditBuilder {
- public:
-  EditBuilder(const TrivalentNetwork& network, NetworkEdit& edit) : network_(network), edit_(edit) {}
-
-  TrivalentAtom& record(AtomIndex atom) {
-    for (NetworkEdit::AtomChange& change : edit_.atoms)
-      if (change.atom == atom) return change.record;
-    edit_.atoms.push_back({atom, network_.atoms[atom]});
-    return edit_.atoms.back().record;
-  }
-  void add(AtomIndex atom, const TrivalentAtom& record) { edit_.atoms.push_back({atom, record}); }
-  void rebond(AtomIndex atom, AtomIndex from, AtomIndex to) {
-    TrivalentAtom& changed = record(atom);
-    changed.neighbour[slot_of_neighbour(changed, from)] = to;
-  }
-  void relabel(AtomIndex atom, RingIndex from, RingIndex to) {
-    TrivalentAtom& changed = record(atom);
-    changed.ring[slot_of_ring(changed, from)] = to;
-  }
-
- private:
-  const TrivalentNetwork& network_;
-  NetworkEdit& edit_;
-};
 
 // A bond i-j with what surrounds it: triangles i = (c, a, b) and j = (d, b, a).
 struct BondPlace {
@@ -55,25 +63,17 @@ std::optional<BondPlace> place_of(const TrivalentNetwork& network, AtomIndex ato
                         i.neighbour[(s + 1) % 3],
                         j.neighbour[(t + 1) % 3],
                         j.neighbour[(t + 2) % 3]};
-  for (const RingIndex r : {place.a, place.b, place.c, place.d})
-    if (network.rings[r].boundary) return {};
   const std::array atoms = {place.i,         place.j,         place.across_ca,
                             place.across_bc, place.across_ad, place.across_db};
   for (std::size_t m = 0; m < atoms.size(); ++m)
     for (std::size_t n = 0; n < m; ++n)
-      if (atoms[m] == no_atom || atoms[m] == atoms[n]) return {};
+      if (atoms[m] != no_atom && atoms[m] == atoms[n]) return {};
   if (place.c == place.d || place.a == place.b) return {};
   return place;
 }
 
-// Rings that share a bond with the given one, in order.
-void link_of(const TrivalentNetwork& network, RingIndex ring, std::vector<AtomIndex>& atoms,
-             std::vector<RingIndex>& link) {
-  atoms_of_ring(network, ring, atoms);
-  link.clear();
-  for (const AtomIndex a : atoms)
-    link.push_back(network.atoms[a].ring[(slot_of_ring(network.atoms[a], ring) + 1) % 3]);
-}
+// Whether a ring or chain may lose an atom.
+bool may_shrink(const TrivalentRing& ring) { return !ring.boundary || ring.size > shortest_chain; }
 
 }  // namespace
 
@@ -81,11 +81,14 @@ std::optional<NetworkEdit> flip_bond(const TrivalentNetwork& network, AtomIndex 
   const auto place = place_of(network, atom, slot);
   if (!place) return {};
   const auto& [i, j, a, b, c, d, ca, bc, ad, db] = *place;
+  if (!may_shrink(network.rings[a]) || !may_shrink(network.rings[b])) return {};
+  if (network.rings[c].boundary && network.rings[d].boundary) return {};
   std::vector<AtomIndex> atoms;
   std::vector<RingIndex> link;
   link_of(network, c, atoms, link);
   if (std::find(link.begin(), link.end(), d) != link.end()) return {};
-  NetworkEdit edit{NetworkEdit::Kind::flip, {}, {{a, -1}, {b, -1}, {c, 1}, {d, 1}}, {i, j}};
+  NetworkEdit edit{NetworkEdit::Kind::flip, {}, {{a, -1}, {b, -1}, {c, 1}, {d, 1}}};
+  edit.centre = {i, j};
   EditBuilder builder(network, edit);
   builder.add(i, {{ad, j, ca}, {c, a, d}});
   builder.add(j, {{bc, i, db}, {d, b, c}});
@@ -98,6 +101,8 @@ std::optional<NetworkEdit> collapse_bond(const TrivalentNetwork& network, AtomIn
   const auto place = place_of(network, atom, slot);
   if (!place) return {};
   const auto& [i, j, a, b, c, d, ca, bc, ad, db] = *place;
+  if (network.rings[a].boundary || network.rings[b].boundary) return {};
+  if (!may_shrink(network.rings[c]) || !may_shrink(network.rings[d])) return {};
   std::vector<AtomIndex> atoms;
   std::vector<RingIndex> link_a, link_b;
   link_of(network, a, atoms, link_a);
@@ -106,8 +111,8 @@ std::optional<NetworkEdit> collapse_bond(const TrivalentNetwork& network, AtomIn
   for (const RingIndex r : link_a)
     if (r != c && r != d && std::find(link_b.begin(), link_b.end(), r) != link_b.end()) return {};
   const int size_b = static_cast<int>(network.rings[b].size);
-  NetworkEdit edit{
-      NetworkEdit::Kind::collapse, {}, {{a, size_b - 4}, {b, -size_b}, {c, -1}, {d, -1}}, {i, j}};
+  NetworkEdit edit{NetworkEdit::Kind::collapse, {}, {{a, size_b - 4}, {b, -size_b}, {c, -1}, {d, -1}}};
+  edit.centre = {i, j};
   EditBuilder builder(network, edit);
   builder.rebond(ca, i, bc);
   builder.rebond(bc, i, ca);
@@ -115,8 +120,8 @@ std::optional<NetworkEdit> collapse_bond(const TrivalentNetwork& network, AtomIn
   builder.rebond(db, j, ad);
   for (const AtomIndex member : atoms)  // of ring b, listed last
     if (member != i && member != j) builder.relabel(member, b, a);
-  builder.add(i, {{no_atom, no_atom, no_atom}, {no_atom, no_atom, no_atom}});
-  builder.add(j, {{no_atom, no_atom, no_atom}, {no_atom, no_atom, no_atom}});
+  builder.remove(i);
+  builder.remove(j);
   return edit;
 }
 
@@ -134,14 +139,16 @@ std::optional<NetworkEdit> split_ring(const TrivalentNetwork& network, RingIndex
     return record.ring[(slot_of_ring(record, ring) + 2) % 3];
   };
   const RingIndex p = ring_across(p_before), q = ring_across(q_before);
-  if (p == q || network.rings[p].boundary || network.rings[q].boundary) return {};
+  if (p == q) return {};
   const int moved = static_cast<int>(count);
-  NetworkEdit edit{NetworkEdit::Kind::split,
-                   {},
-                   {{ring, 2 - moved}, {added_ring, moved + 2}, {p, 1}, {q, 1}},
-                   added_atoms};
+  const RingIndex added_ring = added_rings[0];
+  NetworkEdit edit{
+      NetworkEdit::Kind::split, {}, {{ring, 2 - moved}, {added_ring, moved + 2}, {p, 1}, {q, 1}}};
+  edit.added = 2;
+  edit.rings_added = 1;
+  edit.centre = {added_atoms[0], added_atoms[1]};
   EditBuilder builder(network, edit);
-  const auto [u, w] = added_atoms;
+  const AtomIndex u = added_atoms[0], w = added_atoms[1];
   builder.rebond(p_before, p_after, u);
   builder.rebond(p_after, p_before, u);
   builder.rebond(q_before, q_after, w);
@@ -152,50 +159,60 @@ std::optional<NetworkEdit> split_ring(const TrivalentNetwork& network, RingIndex
   return edit;
 }
 
-std::array<AtomIndex, 2> commit_edit(TrivalentNetwork& network, const NetworkEdit& edit,
-                                     std::vector<AtomIndex>& free_atoms, std::vector<RingIndex>& free_rings) {
-  std::array<AtomIndex, 2> entry = edit.centre;
-  RingIndex ring_entry = added_ring;
-  if (edit.kind == NetworkEdit::Kind::split) {
-    for (AtomIndex& atom : entry) {
-      if (free_atoms.empty()) {
-        free_atoms.push_back(static_cast<AtomIndex>(network.atoms.size()));
-        network.atoms.push_back({{no_atom, no_atom, no_atom}, {no_atom, no_atom, no_atom}});
-      }
-      atom = free_atoms.back();
-      free_atoms.pop_back();
-    }
-    if (free_rings.empty()) {
-      free_rings.push_back(static_cast<RingIndex>(network.rings.size()));
-      network.rings.emplace_back();
-    }
-    ring_entry = free_rings.back();
-    free_rings.pop_back();
+namespace {
+
+template <class Index, class Entry>
+Index taken_entry(std::vector<Index>& free, std::vector<Entry>& entries, const Entry& unused) {
+  if (free.empty()) {
+    free.push_back(static_cast<Index>(entries.size()));
+    entries.push_back(unused);
   }
-  const auto atom_of = [&](AtomIndex a) {
-    return a == added_atoms[0] ? entry[0] : a == added_atoms[1] ? entry[1] : a;
-  };
-  const auto ring_of = [&](RingIndex r) { return r == added_ring ? ring_entry : r; };
+  const Index entry = free.back();
+  free.pop_back();
+  return entry;
+}
+
+}  // namespace
+
+CommittedEdit commit_edit(TrivalentNetwork& network, const NetworkEdit& edit,
+                          std::vector<AtomIndex>& free_atoms, std::vector<RingIndex>& free_rings) {
+  CommittedEdit made;
+  made.atoms.fill(no_atom);
+  made.rings.fill(no_atom);
+  const TrivalentAtom unused = {{no_atom, no_atom, no_atom}, {no_atom, no_atom, no_atom}};
+  for (int k = 0; k < edit.added; ++k)
+    made.atoms[static_cast<std::size_t>(k)] = taken_entry(free_atoms, network.atoms, unused);
+  for (int k = 0; k < edit.rings_added; ++k) {
+    const RingIndex r = taken_entry(free_rings, network.rings, TrivalentRing{});
+    made.rings[static_cast<std::size_t>(k)] = r;
+    network.rings[r] = {0, no_atom, edit.new_rings_open};
+  }
+  if (edit.opened != no_atom) network.rings[edit.opened].boundary = true;
+  if (edit.closed != no_atom) network.rings[edit.closed].boundary = false;
   for (const auto& [ring, change] : edit.rings) {
-    TrivalentRing& changed = network.rings[ring_of(ring)];
+    TrivalentRing& changed = network.rings[made.ring_entry(ring)];
     changed.size = static_cast<std::uint32_t>(static_cast<int>(changed.size) + change);
-    if (changed.size == 0) free_rings.push_back(ring);
+    if (changed.size > 0) continue;
+    changed.boundary = false;
+    free_rings.push_back(ring);
   }
   for (const auto& [atom, record] : edit.atoms) {
-    const AtomIndex a = atom_of(atom);
+    const AtomIndex a = made.entry(atom);
     TrivalentAtom& changed = network.atoms[a];
     changed = record;
     if (!changed.exists()) {
       free_atoms.push_back(a);
       continue;
     }
-    for (AtomIndex& n : changed.neighbour) n = atom_of(n);
-    for (RingIndex& r : changed.ring) {
-      r = ring_of(r);
-      if (!network.rings[r].boundary) network.rings[r].atom = a;
+    for (AtomIndex& n : changed.neighbour) n = made.entry(n);
+    for (RingIndex& r : changed.ring) r = made.ring_entry(r);
+    for (unsigned s = 0; s < 3; ++s) {
+      TrivalentRing& ring = network.rings[changed.ring[s]];
+      // Of a chain on the boundary the first, which has nothing clockwise of it.
+      if (!ring.boundary || changed.neighbour[(s + 2) % 3] == no_atom) ring.atom = a;
     }
   }
-  return entry;
+  return made;
 }
 
 }  // namespace nanocarbon::annealing

@@ -14,6 +14,7 @@ namespace {
 SwitchingState state_of(const TriangleMesh& triangulation, const SwitchingState& coarse) {
   SwitchingState state;
   state.network = trivalent_network(triangulation);
+  state.network.hydrogen = coarse.network.hydrogen;
   state.tether = coarse.tether;
   state.free_mean = coarse.free_mean;
   state.space = triangulation.space;

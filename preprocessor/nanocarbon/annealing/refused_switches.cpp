@@ -21,15 +21,16 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
 }  // namespace
 
 std::uint64_t switch_key(const NetworkEdit& edit, std::span<const std::uint32_t> identity) {
-  // A bond is known by its ends, a split by the atoms whose bonds or rings it changes.
+  // A bond is known by its ends, other edits by the atoms whose bonds or rings they change.
   std::vector<std::uint32_t> atoms;
-  if (edit.kind == NetworkEdit::Kind::split) {
+  if (edit.kind == NetworkEdit::Kind::flip || edit.kind == NetworkEdit::Kind::collapse) {
+    atoms = {identity[edit.centre[0]], identity[edit.centre[1]]};
+  } else {
     for (const auto& change : edit.atoms)
       if (change.atom < identity.size()) atoms.push_back(identity[change.atom]);
-  } else {
-    atoms = {identity[edit.centre[0]], identity[edit.centre[1]]};
   }
   std::sort(atoms.begin(), atoms.end());
+  if (edit.kind == NetworkEdit::Kind::close) atoms.push_back(static_cast<std::uint32_t>(edit.added));
   std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(edit.kind));
   for (const std::uint32_t a : atoms) hash = mixed(hash, a);
   return hash;

@@ -52,7 +52,8 @@ TetherSurface::TetherSurface(const TriangleMesh& surface, double scale)
     : scaled_(scaled_mesh(surface, scale)),
       nearest_(scaled_),
       tree_(mesh::triangle_tree(scaled_)),
-      vertex_normals_(vertex_normals_of(scaled_)) {}
+      vertex_normals_(vertex_normals_of(scaled_)),
+      boundary_(scaled_, vertex_normals_) {}
 
 TangentPlane TetherSurface::plane_at(const Vec3& foot, std::uint32_t triangle) const {
   const Triangle& t = scaled_.triangles[triangle];

@@ -4,16 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "nanocarbon/annealing/boundary_curve.h"
 #include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/mesh/triangle_tree.h"
 
 namespace nanocarbon::annealing {
-
-//! The plane an atom is held to; in a cell the image beside the atom.
-struct TangentPlane {
-  Vec3 point;   //!< Angstrom
-  Vec3 normal;  //!< unit, outward
-};
 
 //! \brief The surface as the molecule sees it: scaled to Angstrom, with tangent planes.
 //! \details Distances to the plane are free along the surface, so a tether to it holds the shape but lets
@@ -31,6 +26,7 @@ class TetherSurface {
   TangentPlane plane_at(const Vec3& position, const Vec3& facing) const;
 
   const Space& space() const { return scaled_.space; }
+  const BoundaryCurve& boundary() const { return boundary_; }
   double distance(const Vec3& position) const;  //!< to the surface, Angstrom
   Vec3 nearest(const Vec3& position) const;     //!< point of the surface, Angstrom
 
@@ -41,6 +37,7 @@ class TetherSurface {
   mesh::NearestPoint nearest_;
   mesh::TriangleTree tree_;
   std::vector<Vec3> vertex_normals_;
+  BoundaryCurve boundary_;
 };
 
 //! Planes for all positions.
@@ -48,11 +45,6 @@ class TetherSurface {
 //! for none
 std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions,
                                          std::span<const TangentPlane> former = {});
-
-//! Height of a position above a plane, Angstrom.
-inline double height_above(const TangentPlane& plane, const Vec3& position) {
-  return (position - plane.point).dot(plane.normal);
-}
 
 //! Mean height of all atoms above their planes, Angstrom.
 double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions);

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "nanocarbon/annealing/network_guards.h"
 #include "nanocarbon/annealing/network_springs.h"
@@ -19,8 +21,7 @@ constexpr unsigned halo = 3;
 
 AtomIndex SwitchingPatch::local(AtomIndex global) const {
   if (global == no_atom) return no_atom;
-  if (global == added_atoms[0] || global == added_atoms[1])
-    return static_cast<AtomIndex>(free_ - 2 + (global == added_atoms[1]));
+  if (is_added_atom(global)) return static_cast<AtomIndex>(free_ - added_ + (global - added_atoms.front()));
   return local_of_[global];
 }
 
@@ -34,7 +35,10 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
   radius_ = radius;
   tether_ = state.tether;
   mean_height_ = state.mean_height;
+  reach_ = state.reach;
   graph_.space = state.space;
+  graph_.hydrogen = network.hydrogen;
+  added_ = static_cast<std::size_t>(edit.added);
   const auto take = [&](AtomIndex a, unsigned distance) {
     if (a == no_atom || local_of_[a] != no_atom) return;
     local_of_[a] = static_cast<AtomIndex>(global_.size());
@@ -42,7 +46,7 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
     distance_.push_back(distance);
   };
   for (const NetworkEdit::AtomChange& change : edit.atoms)
-    if (change.atom != added_atoms[0] && change.atom != added_atoms[1]) take(change.atom, 0);
+    if (!is_added_atom(change.atom)) take(change.atom, 0);
   std::size_t at = 0;
   for (unsigned distance = 1; distance <= radius + halo; ++distance) {
     const std::size_t end = global_.size();
@@ -51,20 +55,19 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
         for (const AtomIndex n : network.atoms[global_[at]].neighbour) take(n, distance);
     if (distance != radius) continue;
     free_ = global_.size();
-    if (edit.kind == NetworkEdit::Kind::split) {
-      for (const AtomIndex a : added_atoms) {
-        global_.push_back(a);
-        distance_.push_back(0);
-      }
-      free_ += 2;
+    for (std::size_t k = 0; k < added_; ++k) {
+      global_.push_back(added_atoms[k]);
+      distance_.push_back(0);
     }
+    free_ += added_;
   }
   atoms_.resize(global_.size());
   positions_.resize(global_.size());
   planes_.resize(global_.size());
+  edges_.assign(global_.size(), {Vec3::Zero(), Vec3::Zero()});
   for (std::size_t k = 0; k < global_.size(); ++k) {
     const AtomIndex a = global_[k];
-    if (a == added_atoms[0] || a == added_atoms[1]) {
+    if (is_added_atom(a)) {
       atoms_[k] = {{no_atom, no_atom, no_atom}, {no_atom, no_atom, no_atom}};
       positions_[k] = Vec3::Zero();
       planes_[k] = {Vec3::Zero(), Vec3::Zero()};
@@ -74,6 +77,7 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
     for (AtomIndex& n : atoms_[k].neighbour) n = local(n);
     positions_[k] = state.positions[a];
     planes_[k] = state.planes[a];
+    if (!state.edges.empty()) edges_[k] = state.edges[a];
   }
   list_bonds();
   list_contacts(state);
@@ -114,8 +118,20 @@ void SwitchingPatch::apply(const NetworkEdit& edit) {
     changed = record;
     for (AtomIndex& n : changed.neighbour) n = local(n);
   }
-  if (edit.kind == NetworkEdit::Kind::flip) place_flipped(local(edit.centre[0]), local(edit.centre[1]));
-  if (edit.kind == NetworkEdit::Kind::split) place_added(local(added_atoms[0]), local(added_atoms[1]));
+  switch (edit.kind) {
+    case NetworkEdit::Kind::flip:
+      place_flipped(local(edit.centre[0]), local(edit.centre[1]));
+      break;
+    case NetworkEdit::Kind::split:
+      place_added(local(edit.centre[0]), local(edit.centre[1]));
+      break;
+    case NetworkEdit::Kind::insert:
+    case NetworkEdit::Kind::close:
+      place_outside(edit.polygon);
+      break;
+    default:  // nothing is new
+      break;
+  }
   list_bonds();
 }
 
@@ -149,12 +165,41 @@ void SwitchingPatch::place_added(AtomIndex u, AtomIndex w) {
   positions_[w] = graph_.space.beside(other_side, positions_[ends[2]]);
   planes_[u] = planes_[ends[0]];
   planes_[w] = planes_[ends[2]];
+  edges_[u] = edges_[ends[0]];
+  edges_[w] = edges_[ends[2]];
   const Vec3 apart = graph_.space.displacement(positions_[u], positions_[w]);
   const double length = apart.norm();
   if (length > bond_rest_length) {
     const Vec3 inward = 0.5 * (length - bond_rest_length) / length * apart;
     positions_[u] += 0.5 * inward;
     positions_[w] -= 0.5 * inward;
+  }
+}
+
+void SwitchingPatch::place_outside(std::uint32_t polygon) {
+  const auto first = static_cast<AtomIndex>(free_ - added_), last = static_cast<AtomIndex>(free_ - 1);
+  const auto held = [&](AtomIndex n) { return n != no_atom && (n < first || n > last); };
+  const AtomIndex start = atoms_[first].neighbour[2];
+  AtomIndex end = no_atom;
+  for (const AtomIndex n : atoms_[last].neighbour)
+    if (held(n) && n != start) end = n;
+  const Vec3 from = positions_[start], chord = graph_.space.displacement(from, positions_[end]);
+  const Vec3 middle = from + 0.5 * chord, along = chord.normalized();
+  // The sheet goes on away from what else the two are bonded to.
+  Vec3 outward = Vec3::Zero();
+  for (const AtomIndex a : {start, end})
+    for (const AtomIndex n : atoms_[a].neighbour)
+      if (held(n) && n != start && n != end)
+        outward += (middle - graph_.space.beside(positions_[n], middle)).normalized();
+  outward = (outward - outward.dot(along) * along).normalized();
+  const double steps = static_cast<double>(added_) + 1, half_arc = steps * std::numbers::pi / polygon;
+  const double radius = 0.5 * bond_rest_length / std::sin(std::numbers::pi / polygon);
+  const Vec3 centre = middle - radius * std::cos(half_arc) * outward;
+  for (std::size_t k = 0; k < added_; ++k) {
+    const double angle = half_arc * (2 * (static_cast<double>(k) + 1) / steps - 1);
+    positions_[first + k] = centre + radius * (std::cos(angle) * outward + std::sin(angle) * along);
+    planes_[first + k] = planes_[2 * k < added_ ? start : end];
+    edges_[first + k] = edges_[2 * k < added_ ? start : end];
   }
 }
 
@@ -168,6 +213,7 @@ double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span
     gradient_[k] += tether_ * height * planes_[k].normal;
     energy += 0.5 * tether_ * height * height;
   }
+  energy += add_boundary_tether(edges_, graph_, reach_, positions_, gradient_);
   for (const Contact& contact : contacts_) {
     if (!atoms_[contact.local].exists()) continue;
     const bool both_free = contact.other_local != no_atom;

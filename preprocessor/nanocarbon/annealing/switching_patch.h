@@ -15,9 +15,11 @@ struct SwitchingState {
   TrivalentNetwork network;
   std::vector<Vec3> positions;
   std::vector<TangentPlane> planes;
-  Space space = {};         //!< of the positions
-  double tether = 0.05;     //!< eV/Angstrom^2
-  bool free_mean = true;    //!< of the heights above the surface, see add_tether()
+  std::vector<TangentPlane> edges = {};  //!< at the boundary (boundary_curve.h); empty where there is none
+  double reach = -open_atom_depth;  //!< of open atoms beyond these; as of the last relaxation of the whole
+  Space space = {};                 //!< of the positions
+  double tether = 0.05;             //!< eV/Angstrom^2
+  bool free_mean = true;            //!< of the heights above the surface, see add_tether()
   double mean_height = 0;   //!< Angstrom, where the tether is at rest; as of the last relaxation of the whole
   StericContacts contacts;  //!< as of the last relaxation of the whole
 };
@@ -44,10 +46,13 @@ class SwitchingPatch {
   bool unfolded(double least_cosine) const;
 
   std::size_t free_count() const { return free_; }
-  AtomIndex atom(std::size_t local) const { return global_[local]; }  //!< added_atoms for atoms of a split
+  AtomIndex atom(std::size_t local) const {
+    return global_[local];
+  }  //!< added_atoms for those that the edit adds
   std::size_t size() const { return global_.size(); }
   const Vec3& position(std::size_t local) const { return positions_[local]; }
   const TangentPlane& plane(std::size_t local) const { return planes_[local]; }
+  const TangentPlane& edge(std::size_t local) const { return edges_[local]; }
 
  private:
   struct Contact {
@@ -61,19 +66,21 @@ class SwitchingPatch {
   std::vector<TrivalentAtom> atoms_;
   std::vector<Vec3> positions_;
   std::vector<Vec3> gradient_;
-  std::vector<TangentPlane> planes_;
+  std::vector<TangentPlane> planes_, edges_;
   std::vector<Contact> contacts_;
   FixedBondGraph graph_;
   FixedBondRebo2 rebo2_;
-  std::size_t free_ = 0;
+  std::size_t free_ = 0;  // the last of these are the atoms that the edit adds
+  std::size_t added_ = 0;
   unsigned radius_ = 0;
   double tether_ = 0;
-  double mean_height_ = 0;
+  double mean_height_ = 0, reach_ = 0;
 
   void list_bonds();
   void list_contacts(const SwitchingState& state);
   void place_flipped(AtomIndex i, AtomIndex j);
   void place_added(AtomIndex u, AtomIndex w);
+  void place_outside(std::uint32_t polygon);
   AtomIndex local(AtomIndex global) const;
 };
 

@@ -5,41 +5,73 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "nanocarbon/annealing/boundary_edit.h"
+
 namespace nanocarbon::annealing {
 
 namespace {
 
 constexpr unsigned screen_radius = 3, radius = 6;  // bonds
+constexpr long longest_chain = 4;  // atoms of an armchair edge's bay: in a longer one hydrogens would meet
 constexpr double screen_margin = 1.7;  // eV above the threshold at which a screened flip is dropped
 
 long squared_defect(long size) { return (size - 6) * (size - 6); }
 
-// Change of the sum of (size - 6)^2; nothing where a ring gets a size it must not have.
+// Change of the sum of (size - 6)^2 over rings; nothing where a ring or a chain on the boundary gets a size it must
+// not have.
 std::optional<long> defect_change(const TrivalentNetwork& network, const NetworkEdit& edit,
                                   long largest_ring) {
   long change = 0;
   for (const auto& [ring, difference] : edit.rings) {
-    const long before = ring == added_ring ? 6 : static_cast<long>(network.rings[ring].size);
-    const long after = ring == added_ring ? difference : before + difference;
-    if (after == 0) {
-      change -= squared_defect(before);
+    const bool is_new = is_added_ring(ring);
+    const bool was_chain = is_new ? edit.new_rings_open : network.rings[ring].boundary;
+    const bool is_chain = (was_chain && ring != edit.closed) || ring == edit.opened;
+    const long before = is_new ? 0 : static_cast<long>(network.rings[ring].size), after = before + difference;
+    if (!is_new && !was_chain) change -= squared_defect(before);
+    if (after == 0) continue;
+    if (is_chain) {
+      if (after > longest_chain && (!was_chain || is_new || after > before)) return {};
       continue;
     }
-    const bool allowed = after >= 5 && after <= largest_ring;
-    const bool better = ring != added_ring && std::labs(after - 6) < std::labs(before - 6);
-    if (!allowed && !better) return {};
-    change += squared_defect(after) - (ring == added_ring ? 0 : squared_defect(before));
+    const bool better = !is_new && !was_chain && std::labs(after - 6) < std::labs(before - 6);
+    if ((after < 5 || after > largest_ring) && !better) return {};
+    change += squared_defect(after);
   }
   return change;
 }
 
+// At a chain of the boundary: a switch, or atoms come or go.
+std::optional<NetworkEdit> draw_boundary_edit(const TrivalentNetwork& network, RingIndex chain,
+                                              RandomStream& random) {
+  std::vector<AtomIndex> atoms;
+  atoms_of_ring(network, chain, atoms);
+  const AtomIndex atom = atoms[random.below(atoms.size())];
+  const unsigned corner = slot_of_ring(network.atoms[atom], chain);
+  switch (random.below(5)) {
+    case 0:
+      return flip_bond(network, atom, static_cast<unsigned>(random.below(3)));
+    case 1:
+      return close_chain(network, chain, static_cast<std::uint32_t>(5 + random.below(3)));
+    case 2:  // one of the rings behind it
+      return open_ring(network, network.atoms[atom].ring[(corner + 1 + random.below(2)) % 3]);
+    case 3:
+      return insert_open_atom(network, atom, (corner + 1) % 3);
+    default:
+      return remove_open_atom(network, random.below(2) == 0 ? atoms.front() : atoms.back());
+  }
+}
+
 std::optional<NetworkEdit> draw_any_edit(const TrivalentNetwork& network, RingIndex ring, double climb_share,
                                          RandomStream& random) {
+  if (network.rings[ring].boundary) return draw_boundary_edit(network, ring, random);
   std::vector<AtomIndex> atoms;
   atoms_of_ring(network, ring, atoms);
   const std::size_t place = random.below(atoms.size());
   const AtomIndex atom = atoms[place];
   const unsigned corner = slot_of_ring(network.atoms[atom], ring);
+  // A ring at the boundary may also lose its open atoms.
+  if (network.atoms[atom].neighbour[corner] == no_atom && random.uniform() < 0.5)
+    return random.below(2) == 0 ? open_ring(network, ring) : remove_open_atom(network, atom);
   const double kind = random.uniform();
   // The bond of the ring that follows the atom, or the one that leads away from the ring.
   const unsigned slot = random.uniform() < 0.5 ? (corner + 1) % 3 : corner;
@@ -120,6 +152,7 @@ Trial try_edit(const SwitchingState& state, NetworkEdit edit, double allowance, 
     trial.moved.push_back(patch.atom(k));
     trial.positions.push_back(patch.position(k));
     trial.planes.push_back(patch.plane(k));
+    trial.edges.push_back(patch.edge(k));
   }
   trial.edit = std::move(edit);
   return trial;

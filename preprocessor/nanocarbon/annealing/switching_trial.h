@@ -26,7 +26,7 @@ struct Trial {
   std::vector<AtomIndex>
       looked;  //!< all atoms of the patch: the trial holds only while none of them has changed
   std::vector<Vec3> positions;  //!< of the moved
-  std::vector<TangentPlane> planes;
+  std::vector<TangentPlane> planes, edges;
 };
 
 //! Scratch of one thread.

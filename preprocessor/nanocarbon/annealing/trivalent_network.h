@@ -36,6 +36,7 @@ struct TrivalentRing {
 struct TrivalentNetwork {
   std::vector<TrivalentAtom> atoms;
   std::vector<TrivalentRing> rings;
+  bool hydrogen = false;  //!< whether atoms with a side on the boundary bind hydrogen there
 };
 
 //! The dual network of a triangulation: atom i is triangle i, ring v is vertex v.
