@@ -3,6 +3,7 @@
 # private and may change at any time. A public header includes public headers only (a test looks after it).
 set(NANOCARBON_PUBLIC_HEADERS
   building/annealing_record.h
+  building/boundary_facts.h
   building/build_molecule.h
   building/build_report.h
   building/likeness.h

@@ -106,6 +106,11 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
   add_potential_option(
       *group, c.build.potential,
       "Potential of the last minimisation and the checks: rebo2 (default), airebo or airebo-m");
+  add_choice(
+      *group, "--boundary", c.build.boundary,
+      {{"hydrogen", building::Boundary::hydrogen}, {"bare", building::Boundary::bare}},
+      "Carbon at boundaries of the mesh, which has two neighbours: with a hydrogen atom each (hydrogen, "
+      "default), or with a dangling bond (bare)");
   add_choice(*group, "--quality", c.build.quality,
              {{"draft", Quality::draft}, {"good", Quality::good}, {"best", Quality::best}},
              "Effort spent on a low energy: draft, good (default) or best");
@@ -187,6 +192,7 @@ void require_options_of_recipe(const CLI::App& subcommand, building::Recipe reci
     return;
   }
   refuse({"--bond-length"}, "its bond length is midway between --min-bond and --max-bond");
+  refuse({"--boundary"}, "its dual is written as it is, with dangling bonds at boundaries");
   refuse({"--quality", "--tether", "--max-force", "--certify", "--relax-cell"},
          "it neither anneals nor minimises");
 }

@@ -53,6 +53,20 @@ page::PageContents build_page(const BuildCommand& command, const building::Build
         "above graphene", fmt::format("{:.1f} meV an atom (before annealing {:.1f})",
                                       1e3 * report["annealing"]["above_graphene"].get<double>(),
                                       1e3 * report["annealing"]["above_graphene_unannealed"].get<double>()));
+  contents.facts.emplace_back("formula", report["molecule"]["formula"].get<std::string>());
+  if (report.contains("boundary")) {
+    const auto& boundary = report["boundary"];
+    contents.facts.emplace_back(
+        "boundary",
+        fmt::format("{}, {:.0f} Å: {:.0f}% zigzag, {:.0f}% armchair, {:.0f}% other",
+                    boundary["kind"].get<std::string>(), boundary["length"].get<double>(),
+                    100 * boundary["zigzag"].get<double>(), 100 * boundary["armchair"].get<double>(),
+                    100 * boundary["other"].get<double>()));
+    if (boundary.contains("energy"))
+      contents.facts.emplace_back("energy of the boundary",
+                                  fmt::format("{:.3f} eV/Å above graphene and benzene's C-H",
+                                              boundary["energy_per_length"].get<double>()));
+  }
   const auto& distance = report["distance"]["atoms_to_surface"];
   contents.facts.emplace_back("distance to surface",
                               fmt::format("mean {:.2f} Å, largest {:.2f} Å", distance["mean"].get<double>(),

@@ -83,6 +83,12 @@ Quality quality_named(const std::string& name) {
   throw py::value_error("there is no quality '" + name + "'; there are draft, good and best");
 }
 
+building::Boundary boundary_named(const std::string& name) {
+  for (const auto boundary : {building::Boundary::hydrogen, building::Boundary::bare})
+    if (name == building::name(boundary)) return boundary;
+  throw py::value_error("there is no boundary '" + name + "'; there are hydrogen and bare");
+}
+
 building::PotentialChoice choice_named(const std::string& name) {
   potential_named(name);
   if (name == "airebo") return building::PotentialChoice::airebo;
@@ -91,13 +97,14 @@ building::PotentialChoice choice_named(const std::string& name) {
 
 Built build(const Mesh& mesh, std::optional<std::size_t> atoms, std::optional<double> length,
             std::optional<double> scale, const std::string& quality, const std::string& potential,
-            std::optional<double> tether, bool force, unsigned threads, std::uint64_t seed,
-            std::optional<std::function<void(std::string, double)>> progress) {
+            std::optional<double> tether, const std::string& boundary, bool force, unsigned threads,
+            std::uint64_t seed, std::optional<std::function<void(std::string, double)>> progress) {
   building::BuildOptions options;
   options.size = size_request(atoms, length, scale);
   options.quality = quality_named(quality);
   options.potential = choice_named(potential);
   options.tether = tether;
+  options.boundary = boundary_named(boundary);
   options.force = force;
   options.threads = threads;
   options.seed = seed;
@@ -274,8 +281,8 @@ PYBIND11_MODULE(_core, module) {
         return Mesh{built.triangulation, {}, {}};
       });
   module.def("build", &build, py::arg("mesh"), py::arg("atoms"), py::arg("length"), py::arg("scale"),
-             py::arg("quality"), py::arg("potential"), py::arg("tether"), py::arg("force"),
-             py::arg("threads"), py::arg("seed"), py::arg("progress"));
+             py::arg("quality"), py::arg("potential"), py::arg("tether"), py::arg("boundary"),
+             py::arg("force"), py::arg("threads"), py::arg("seed"), py::arg("progress"));
 
   py::class_<Analysed>(module, "Analysed")
       .def_readonly("report", &Analysed::report)
@@ -288,6 +295,7 @@ PYBIND11_MODULE(_core, module) {
       .def(py::init(&potential_named), py::arg("name"))
       .def_property_readonly("name", [](const potential::Potential& p) { return std::string(p.name()); })
       .def_property_readonly("graphene_energy", &potential::Potential::graphene_energy)
+      .def_property_readonly("hydrogen_energy", &potential::Potential::hydrogen_energy)
       .def("evaluate", &evaluate, py::arg("positions"), py::arg("numbers"), py::arg("cell") = py::none(),
            py::arg("pbc") = std::array<bool, 3>{false, false, false});
 

@@ -21,9 +21,12 @@ def main():
     written = set()
     periodic = f"{folder}/schwarz-p.off"
     subprocess.run([program, "make", "mesh", "schwarz-p", "-o", periodic, "--quiet"], check=True)
-    for name, options in {"periodic": ["--quality", "draft"], "annealed": ["--quality", "draft", "--certify"], "thesis": ["--recipe", "thesis"]}.items():
+    opened = f"{folder}/hemisphere.off"
+    subprocess.run([program, "make", "mesh", "hemisphere", "-o", opened, "--quiet"], check=True)
+    meshes = {"periodic": periodic, "open": opened}
+    for name, options in {"periodic": ["--quality", "draft"], "open": ["--quality", "draft"], "annealed": ["--quality", "draft", "--certify"], "thesis": ["--recipe", "thesis"]}.items():
         report = f"{folder}/{name}.json"
-        subprocess.run([program, "build", periodic if name == "periodic" else mesh, "-o", f"{folder}/{name}.data", "--atoms", "300", "--quiet", "--report",
+        subprocess.run([program, "build", meshes.get(name, mesh), "-o", f"{folder}/{name}.data", "--atoms", "300", "--quiet", "--report",
                         report, *options], check=True)
         with open(report) as text:
             written |= set(keys(json.load(text)))

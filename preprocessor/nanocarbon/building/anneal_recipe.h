@@ -25,7 +25,7 @@ struct AnnealResult {
 //! shape still shows with so few (coarse_starts.h); anneals at full size, too, where that may be better
 //! (annealed_starts.h). Takes the molecule with the least energy once it is let go of those within 1 Angstrom
 //! of the surface in the mean; where there is none, at a price for distance (start_choice.h). Then minimises the
-//! full potential without a tether (final_minimum.h).
+//! full potential without a tether, with hydrogen at the boundary where that is wanted (final_minimum.h).
 //!
 //! \param surface Angstrom; a sound oriented 2-manifold, with or without boundary
 //! \param potential of the last minimisation

@@ -10,9 +10,10 @@ namespace nanocarbon::building {
 //! A molecule where a minimisation of the full potential left it.
 struct RestingState {
   double energy = 0;            //!< eV for each atom
+  double above_graphene = 0;    //!< eV for each carbon atom, hydrogen counted as in benzene (potential.h)
   double max_force = 0;         //!< eV/Angstrom
   bool intact = false;          //!< the potential sees exactly the molecule's bonds
-  double closest_unbonded = 0;  //!< Angstrom, at most 2.2 (annealing/geometry_check.h)
+  double closest_unbonded = 0;  //!< of carbon and carbon, Angstrom, at most 2.2 (annealing/geometry_check.h)
 };
 
 //! What the annealed recipe did.

@@ -19,6 +19,7 @@
 #include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/mesh/repair/drop_specks.h"
 #include "nanocarbon/molecule/dual.h"
+#include "nanocarbon/molecule/hydrogens.h"
 #include "nanocarbon/topology/connected_components.h"
 
 namespace nanocarbon::building {
@@ -171,6 +172,7 @@ AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh&
                           .threads = options.threads,
                           .keep_size = keeps_size(options.size),
                           .relax_cell = relaxed_strains(options, surface),
+                          .hydrogen = options.boundary == Boundary::hydrogen,
                           .progress = options.progress};
   if (surface.space.periodic()) {
     const std::vector<int> ranks = ranks_of(surface);
@@ -210,10 +212,12 @@ BuildResult build_by_annealing(SizedSurface surface, const BuildOptions& options
     certificate = minimisation::certify(
         molecule, *potential,
         {.force_tolerance = std::min(minimisation::certified_force, options.force_tolerance)});
-    rest = resting_state(molecule, certificate->energy, certificate->max_force, certificate->intact);
+    rest = resting_state(molecule, *potential, certificate->energy, certificate->max_force,
+                         certificate->intact);
     if (!options.force) require_bonds_that_hold(rest.intact, molecule, surface);
   }
-  const Likeness like = likeness(molecule, surface.mesh, rest.energy - potential->graphene_energy());
+  const Likeness like = likeness(molecule::carbon_skeleton(molecule), surface.mesh, rest.above_graphene,
+                                 options.boundary);
   if (!options.force) require_likeness(like);
   BuildResult result;
   result.triangulation =
@@ -223,6 +227,7 @@ BuildResult build_by_annealing(SizedSurface surface, const BuildOptions& options
   result.rest = rest;
   result.annealed = made.record;
   result.likeness = like;
+  result.boundary = boundary_facts(result.molecule, *potential);
   result.certificate = std::move(certificate);
   result.seconds.remeshing = made.remeshing_seconds;
   result.seconds.molecule = stage.lap() - made.remeshing_seconds;

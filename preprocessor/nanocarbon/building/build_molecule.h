@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "nanocarbon/building/annealing_record.h"
+#include "nanocarbon/building/boundary_facts.h"
 #include "nanocarbon/building/likeness.h"
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/building/size_request.h"
@@ -42,6 +43,7 @@ struct BuildOptions {
   Quality quality = Quality::good;
   std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: tether_of()
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
+  Boundary boundary = Boundary::hydrogen;
   //! Prove that the molecule is at a minimum (certificate.h); only with potentials of bonds alone.
   bool certify = false;
   //! Strains of a periodic cell that the final minimisation may change; nothing: relaxed_strains()
@@ -88,15 +90,16 @@ struct BuildResult {
   std::size_t specks_dropped = 0;
   TriangleMesh triangulation;  //!< Angstrom; the molecule is its dual
   Molecule molecule;
-  std::optional<RestingState> rest;                      //!< of the annealed recipe, as are the next three
+  std::optional<RestingState> rest;                      //!< of the annealed recipe, as are the next four
   std::optional<AnnealingRecord> annealed;               //!< what annealing did
   std::optional<Likeness> likeness;                      //!< to the surface
+  std::optional<BoundaryFacts> boundary;                 //!< what the boundary is made of
   std::optional<minimisation::Certificate> certificate;  //!< where asked for
   std::optional<thesis::ThesisRecord> thesis;            //!< what remeshing by the thesis did
   BuildSeconds seconds;
 };
 
-//! \brief From a surface to a molecule of carbon atoms.
+//! \brief From a surface to a molecule of carbon atoms, with hydrogen at boundaries by the annealed recipe.
 //! \param surface a sound 2-manifold, oriented, mesh units (see load_surface())
 //! \throw UserError (size, unsuitable) as sized_surface(); (size) if features are too small, with a size that works;
 //! (failed) if the molecule's topology is not the surface's, the potential would bind other atoms than the molecule

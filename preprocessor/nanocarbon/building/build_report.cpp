@@ -15,6 +15,8 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/molecule/bond_statistics.h"
+#include "nanocarbon/molecule/boundary_units.h"
+#include "nanocarbon/molecule/hydrogens.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
 
 namespace nanocarbon::building {
@@ -101,16 +103,42 @@ Json thesis_json(const thesis::ThesisRecord& r) {
           {"history", {{"columns", {"edges", "short", "long"}}, {"rows", std::move(history)}}}};
 }
 
-// \param graphene energy of an atom of it by the potential of the last minimisation, eV
-Json annealed_json(const RestingState& rest, const AnnealingRecord& r, double graphene) {
+Json annealed_json(const RestingState& rest, const AnnealingRecord& r) {
   return {{"energy_per_atom", rest.energy},
-          {"above_graphene", rest.energy - graphene},
+          {"above_graphene", rest.above_graphene},
           {"above_graphene_unannealed", r.unannealed_energy - rebo2::graphene_energy},
           {"max_force", rest.max_force},
           {"closest_unbonded", rest.closest_unbonded},
           {"rebo2_sees_these_bonds", rest.intact},
           {"refinements", r.refinements},
           {"bond_switches", r.accepted}};
+}
+
+std::string formula(std::size_t carbons, std::size_t hydrogens) {
+  return fmt::format("C{}", carbons) + (hydrogens > 0 ? fmt::format("H{}", hydrogens) : "");
+}
+
+// Of a thesis's dual nothing has been minimised, and its boundary has no energy.
+Json boundary_json(const BuildResult& result, const BuildOptions& options) {
+  const molecule::BoundaryUnits units =
+      result.boundary ? result.boundary->units : molecule::boundary_units(result.molecule);
+  const double atoms = static_cast<double>(std::max<std::size_t>(units.open_atoms, 1));
+  Json chains = Json::object();
+  for (std::size_t size = 0; size < units.chains.size(); ++size)
+    if (units.chains[size] > 0) chains[std::to_string(size)] = units.chains[size];
+  Json json = {{"kind", name(result.annealed ? options.boundary : Boundary::bare)},
+               {"length", units.length},
+               {"open_atoms", units.open_atoms},
+               {"dead_ends", units.dead_ends},
+               {"zigzag", static_cast<double>(units.zigzag) / atoms},
+               {"armchair", static_cast<double>(units.armchair) / atoms},
+               {"other", static_cast<double>(units.others()) / atoms},
+               {"chains_by_size", chains}};
+  if (result.boundary) {
+    json["energy"] = result.boundary->energy;
+    json["energy_per_length"] = result.boundary->energy / std::max(units.length, 1e-9);
+  }
+  return json;
 }
 
 Json certificate_json(const minimisation::Certificate& c) {
@@ -124,6 +152,7 @@ Json options_json(const BuildResult& result, const BuildOptions& o) {
     constexpr const char* qualities[] = {"draft", "good", "best"};
     json.update({{"potential", name(o.potential)},
                  {"quality", qualities[static_cast<int>(o.quality)]},
+                 {"boundary", name(o.boundary)},
                  {"bond_length", o.bond_length},
                  {"tether", tether_of(o)},
                  {"force_tolerance", o.force_tolerance}});
@@ -176,10 +205,11 @@ Json cell_json(const BuildResult& result, const BuildOptions& options) {
 
 Json build_report(const BuildResult& result, const BuildOptions& options, const ReportContext& context) {
   const Molecule& molecule = result.molecule;
+  const Molecule carbon = molecule::carbon_skeleton(molecule);
   const mesh::MeshTopology topology = mesh::mesh_topology(result.triangulation);
   const molecule::Interval bonds{options.thesis.min_bond, options.thesis.max_bond};
   const molecule::Interval edges{std::sqrt(3.0) * bonds.low, std::sqrt(3.0) * bonds.high};
-  const molecule::Spread angles = molecule::spread(molecule::bond_angles(molecule));
+  const molecule::Spread angles = molecule::spread(molecule::bond_angles(carbon));
 
   Json report;
   report["nanocarbon"] = version;
@@ -189,6 +219,9 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
   report["options"] = options_json(result, options);
   if (molecule.cell) report["cell"] = cell_json(result, options);
   report["molecule"] = {{"atoms", molecule.size()},
+                        {"carbon", carbon.size()},
+                        {"hydrogen", molecule.size() - carbon.size()},
+                        {"formula", formula(carbon.size(), molecule.size() - carbon.size())},
                         {"bonds", molecule.bonds.size()},
                         {"rings", molecule.rings.size()},
                         {"rings_by_size", rings_json(molecule.rings)},
@@ -197,7 +230,8 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
                         {"euler_characteristic", topology.euler_characteristic},
                         {"genus", topology.genus},
                         {"boundary_loops", topology.boundary_loops}};
-  report["bond_lengths"] = lengths_json(molecule::bond_lengths(molecule), bonds);
+  if (topology.boundary_loops > 0) report["boundary"] = boundary_json(result, options);
+  report["bond_lengths"] = lengths_json(molecule::bond_lengths(carbon), bonds);
   report["bond_angles"] = {{"mean", angles.mean},
                            {"standard_deviation", angles.deviation},
                            {"min", angles.min},
@@ -207,12 +241,10 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
       mesh::distance_between(result.triangulation, result.surface.mesh);
   report["distance"] = {
       {"atoms_to_surface", distance_json(mesh::distances_to_surface(
-                               molecule.positions, mesh::NearestPoint(result.surface.mesh)))},
+                               carbon.positions, mesh::NearestPoint(result.surface.mesh)))},
       {"surface_to_triangulation", distance_json(triangulation.back)},
       {"triangulation_to_surface", distance_json(triangulation.there)}};
-  if (result.annealed)
-    report["annealing"] =
-        annealed_json(*result.rest, *result.annealed, make_potential(options.potential)->graphene_energy());
+  if (result.annealed) report["annealing"] = annealed_json(*result.rest, *result.annealed);
   if (result.likeness)
     report["likeness"] = {{"shape_radius", result.likeness->shape_radius},
                           {"distance_to_radius", result.likeness->distance_share},
@@ -236,12 +268,24 @@ std::string report_table(const Json& report) {
   std::string rings;
   for (const auto& [size, count] : m["rings_by_size"].items())
     rings += fmt::format("{}{}: {}", rings.empty() ? "" : ", ", size, count.get<std::size_t>());
-  line("atoms, bonds", fmt::format("{}, {}", m["atoms"].get<std::size_t>(), m["bonds"].get<std::size_t>()));
+  line("atoms, bonds", fmt::format("{} ({}), {}", m["atoms"].get<std::size_t>(),
+                                   m["formula"].get<std::string>(), m["bonds"].get<std::size_t>()));
   line("rings by size", rings);
   line("topology",
        fmt::format("{} piece(s), genus {}, Euler characteristic {}, {} boundary loop(s), as in the input",
                    m["pieces"].get<std::size_t>(), m["genus"].get<std::int64_t>(),
                    m["euler_characteristic"].get<std::int64_t>(), m["boundary_loops"].get<std::size_t>()));
+  if (report.contains("boundary")) {
+    const Json& b = report["boundary"];
+    std::string boundary =
+        fmt::format("{}, {:.0f} A: {:.0f}% zigzag, {:.0f}% armchair, {:.0f}% other",
+                    b["kind"].get<std::string>(), b["length"].get<double>(), 100 * b["zigzag"].get<double>(),
+                    100 * b["armchair"].get<double>(), 100 * b["other"].get<double>());
+    if (b.contains("energy"))
+      boundary +=
+          fmt::format("; {:.3f} eV/A above graphene and benzene's C-H", b["energy_per_length"].get<double>());
+    line("boundary", boundary);
+  }
   const auto lengths = [&](const char* key) {
     const Json& l = report[key];
     return fmt::format("{:.3f} to {:.3f}, mean {:.4f}, deviation {:.4f}; {:.2f}% short, {:.2f}% long",

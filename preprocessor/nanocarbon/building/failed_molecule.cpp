@@ -12,9 +12,6 @@
 namespace nanocarbon::building {
 namespace {
 
-constexpr double longest_bond = rebo_bond_cutoffs.carbon_carbon.begin;    // Angstrom
-constexpr double closest_unbonded = rebo_bond_cutoffs.carbon_carbon.end;  // Angstrom
-
 struct Fault {
   std::string what;
   Vec3 where = Vec3::Zero();
@@ -34,13 +31,17 @@ Fault worst_fault(const Molecule& molecule) {
   };
   std::vector<Bond> bonds = molecule.bonds;
   std::sort(bonds.begin(), bonds.end());
+  const auto cutoff = [&](AtomIndex a, AtomIndex b) {
+    return rebo_bond_cutoffs.of(molecule.elements[a], molecule.elements[b]);
+  };
   for (const Bond& bond : bonds)
-    look(bond.first, bond.second, between(bond.first, bond.second).norm() - longest_bond, "a bond stretched to");
-  const NeighbourList near = neighbours_within(molecule.positions, space.cell(), closest_unbonded);
+    look(bond.first, bond.second, 
+         between(bond.first, bond.second).norm() - cutoff(bond.first, bond.second).begin, "a bond stretched to");
+  const NeighbourList near = neighbours_within(molecule.positions, space.cell(), rebo_bond_cutoffs.carbon_carbon.end);
   for (AtomIndex a = 0; a < molecule.size(); ++a)
     for (const Neighbour& n : near.of(a))
       if (a < n.atom && !std::binary_search(bonds.begin(), bonds.end(), Bond{a, n.atom}))
-        look(a, n.atom, closest_unbonded - between(a, n.atom).norm(),
+        look(a, n.atom, cutoff(a, n.atom).end - between(a, n.atom).norm(),
              "two unbonded atoms pressed to within");
   return worst;
 }

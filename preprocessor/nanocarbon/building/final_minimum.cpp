@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/final_minimum.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "nanocarbon/annealing/surface_fit.h"
 #include "nanocarbon/building/annealing_schedules.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
+#include "nanocarbon/molecule/hydrogens.h"
 
 namespace nanocarbon::building {
 
@@ -34,6 +36,7 @@ Descent descend(const annealing::AnnealingLevel& level, double left, potential::
   annealing::minimise_fixed_bonds(
       model, nullptr, positions, {.max_iterations = 2000, .force_tolerance = left * options.force_tolerance});
   Molecule molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
+  if (options.hydrogen) molecule = molecule::saturated_with_hydrogen(molecule);
   const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance};
   minimisation::CellMinimum end;
   if (molecule.cell)
@@ -43,12 +46,14 @@ Descent descend(const annealing::AnnealingLevel& level, double left, potential::
   return {std::move(molecule), end};
 }
 
-// Moves atoms to where they fit the surface best, of the size that fits them. Returns by how much it grows.
-double move_to_surface(std::vector<Vec3>& positions, TriangleMesh surface, const Mat3& deformation,
-                       bool keep_size) {
+// Moves atoms to where the carbons, which come first, fit the surface best, of the size that fits them. Returns by
+// how much it grows.
+double move_to_surface(std::vector<Vec3>& positions, std::size_t carbons, TriangleMesh surface,
+                       const Mat3& deformation, bool keep_size) {
   if (surface.space.periodic()) mesh::deform(surface, deformation);
   const annealing::Similarity fit =
-      annealing::fit_to_surface(positions, annealing::TetherSurface(surface, 1), !keep_size);
+      annealing::fit_to_surface(std::span<const Vec3>(positions.data(), carbons),
+                                annealing::TetherSurface(surface, 1), !keep_size);
   for (Vec3& p : positions) p = fit(p) / fit.scale;
   return 1 / fit.scale;
 }
@@ -58,6 +63,7 @@ double move_to_surface(std::vector<Vec3>& positions, TriangleMesh surface, const
 FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& surface, std::size_t atoms,
                            potential::Potential& potential, const AnnealOptions& options) {
   if (options.progress) options.progress("minimising", 0);
+  level.state.network.hydrogen = options.hydrogen;
   Descent descent = descend(level, left_on_fixed_bonds, potential, options);
   for (int mending = 0; mending < mendings && !descent.end.minimum.intact; ++mending) {
     level.sound = false;
@@ -71,15 +77,25 @@ FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& 
   result.deformation = descent.end.deformation;
   result.stress = descent.end.stress;
   result.accepted = level.accepted;
-  result.rest = resting_state(result.molecule, minimum.energy, minimum.max_force, minimum.intact);
-  result.growth = move_to_surface(result.molecule.positions, surface, result.deformation, options.keep_size);
+  result.rest =
+      resting_state(result.molecule, potential, minimum.energy, minimum.max_force, minimum.intact);
+  result.growth = move_to_surface(result.molecule.positions, result.network.atoms.size(), surface,
+                                  result.deformation, options.keep_size);
   return result;
 }
 
-RestingState resting_state(const Molecule& molecule, double energy, double max_force, bool intact) {
+RestingState resting_state(const Molecule& molecule, const potential::Potential& potential, double energy,
+                           double max_force, bool intact) {
+  const Molecule carbon = molecule::carbon_skeleton(molecule);
   const annealing::GeometryCheck check =
-      annealing::check_geometry(molecule.positions, annealing::fixed_bond_graph(molecule));
-  return {energy / static_cast<double>(molecule.size()), max_force, intact, check.closest_unbonded};
+      annealing::check_geometry(carbon.positions, annealing::fixed_bond_graph(carbon));
+  const std::size_t carbons = carbon.size(), hydrogens = molecule.size() - carbons;
+  return {.energy = energy / static_cast<double>(molecule.size()),
+          .above_graphene =
+              potential.above_graphene(energy, carbons, hydrogens) / static_cast<double>(carbons),
+          .max_force = max_force,
+          .intact = intact,
+          .closest_unbonded = check.closest_unbonded};
 }
 
 }  // namespace nanocarbon::building

@@ -14,7 +14,7 @@ namespace nanocarbon::building {
 
 //! A molecule at a minimum of the full potential.
 struct FinalMinimum {
-  Molecule molecule;                    //!< with rings, where it fits the surface best
+  Molecule molecule;                    //!< with rings, where it fits the surface best; hydrogen comes last
   annealing::TrivalentNetwork network;  //!< of the molecule, with what it has on boundaries
   RestingState rest;
   double growth = 1;                    //!< the surface times this fits the molecule
@@ -26,7 +26,7 @@ struct FinalMinimum {
 //! \brief Lets a molecule go and minimises its energy by the full potential; then moves it to where it fits the
 //! surface best.
 //! \details Where the potential would see other bonds than the molecule's, the place is mended first by
-//! switching bonds, twice at most. In a cell the strains that the options name are freed.
+//! switching bonds, twice at most. Hydrogen is added at the boundary where the options want it. In a cell the strains that the options name are freed.
 //! \param level relaxed under the tether
 //! \param surface Angstrom, on which the level is
 //! \param atoms wanted
@@ -35,6 +35,7 @@ FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& 
 
 //! \brief A molecule's state at rest, measured.
 //! \param energy eV, of the whole molecule
-RestingState resting_state(const Molecule& molecule, double energy, double max_force, bool intact);
+RestingState resting_state(const Molecule& molecule, const potential::Potential& potential, double energy,
+                           double max_force, bool intact);
 
 }  // namespace nanocarbon::building

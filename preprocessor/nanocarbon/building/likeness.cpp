@@ -20,6 +20,7 @@ namespace {
 constexpr double bending_rigidity = 1.4;        // eV, of graphene
 constexpr double energy_of_disclination = 5.0;  // eV for each pi/3 of Gaussian curvature
 constexpr double energy_of_boundary = 1.5;      // eV/Angstrom, bare
+constexpr double energy_with_hydrogen = 0.15;   // eV/Angstrom
 constexpr double ring_spacing = 2.46;           // Angstrom
 
 // How the normal turns on a triangle with the normals of its corners, as a map of its plane.
@@ -39,7 +40,7 @@ bool beyond(double share, double share_limit, double value, double limit) {
 
 }  // namespace
 
-double expected_energy(const TriangleMesh& surface, std::size_t atoms) {
+double expected_energy(const TriangleMesh& surface, std::size_t atoms, Boundary boundary) {
   crystal::SurfaceGuide guide(surface, 0.5 * ring_spacing);
   guide.smooth_normals(ring_spacing);
   const TriangleMesh& mesh = guide.mesh();
@@ -62,7 +63,7 @@ double expected_energy(const TriangleMesh& surface, std::size_t atoms) {
   for (crystal::HalfEdgeIndex h = 0; h < guide.table().half_edges(); ++h)
     if (guide.table().twin(h) == crystal::no_half_edge)
       energy +=
-          energy_of_boundary *
+          (boundary == Boundary::hydrogen ? energy_with_hydrogen : energy_of_boundary) *
           mesh.space.displacement(mesh.points[guide.table().origin(h)], mesh.points[guide.table().target(h)])
               .norm();
   return energy / static_cast<double>(atoms);
@@ -91,13 +92,13 @@ std::vector<std::string> Likeness::warnings() const {
   return told;
 }
 
-Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double energy) {
+Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double energy, Boundary boundary) {
   Likeness result;
   result.shape_radius = std::sqrt(mesh::area(surface) / (4 * std::numbers::pi));
   result.distance = mesh::distances_to_surface(molecule.positions, mesh::NearestPoint(surface)).mean;
   result.distance_share = result.distance / result.shape_radius;
   result.energy = energy;
-  result.expected_energy = expected_energy(surface, molecule.size());
+  result.expected_energy = expected_energy(surface, molecule.size(), boundary);
   result.energy_share = energy / std::max(result.expected_energy, 1e-6);
   return result;
 }

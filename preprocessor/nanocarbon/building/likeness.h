@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "nanocarbon/building/boundary_facts.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 #include "nanocarbon/molecule/molecule.h"
 
@@ -41,12 +42,15 @@ struct Likeness {
 //!
 //! Bending: 1.4 eV / 2 times the squared sum of the principal curvatures, integrated over the area. Disclinations: 5 eV
 //! for each pi/3 of Gaussian curvature of either sign, which needs a pentagon or heptagon and strains the sheet around
-//! it. Boundary: 1.5 eV per Angstrom, for dangling bonds. The curvatures are those of normals smoothed over a ring,
+//! it. Boundary: for each Angstrom 1.5 eV where bonds dangle and 0.15 with hydrogen. The curvatures are those of normals smoothed over a ring,
 //! since a crease is rounded to about that width.
-double expected_energy(const TriangleMesh& surface, std::size_t atoms);
+double expected_energy(const TriangleMesh& surface, std::size_t atoms,
+                       Boundary boundary = Boundary::hydrogen);
 
 //! \param surface Angstrom, of the size that fits the molecule
+//! \param molecule carbon alone
 //! \param energy above graphene, eV per atom
-Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double energy);
+Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double energy,
+                  Boundary boundary = Boundary::hydrogen);
 
 }  // namespace nanocarbon::building

@@ -46,13 +46,13 @@ class Build:
 
 def build(mesh: Mesh | str | os.PathLike[str], atoms: int | None = None, *, length: float | None = None,
           scale: float | None = None, quality: Literal["draft", "good", "best"] = "good",
-          potential: Literal["rebo2", "airebo", "airebo-m"] = "rebo2", tether: float | None = None, force: bool = False,
-          threads: int | None = None, seed: int = 1,
-          progress: Callable[[str, float], None] | None = None) -> Build:
+          potential: Literal["rebo2", "airebo", "airebo-m"] = "rebo2", tether: float | None = None,
+          boundary: Literal["hydrogen", "bare"] = "hydrogen", force: bool = False, threads: int | None = None,
+          seed: int = 1, progress: Callable[[str, float], None] | None = None) -> Build:
     """Makes a carbon molecule from a mesh, as `nanocarbon build` does.
 
     How large: a number of `atoms`, the `length` of the longest side, or a `scale` (both Angstrom); without any, an atom
-    for each triangle. `progress` is called with what is being done and how much of it, 0 to 1. The interpreter is free
+    for each triangle. Carbon at a `boundary` of the mesh binds hydrogen, or is left bare. `progress` is called with what is being done and how much of it, 0 to 1. The interpreter is free
     for other threads meanwhile, and Ctrl-C ends it.
 
     >>> built = build(make.sphere(1.0, 3), atoms=180, quality="draft")
@@ -61,7 +61,8 @@ def build(mesh: Mesh | str | os.PathLike[str], atoms: int | None = None, *, leng
     """
     if not isinstance(mesh, Mesh):
         mesh = read_mesh(mesh)
-    built = _core.build(mesh, atoms, length, scale, quality, potential, tether, force, _threads(threads), seed, progress)
+    built = _core.build(mesh, atoms, length, scale, quality, potential, tether, boundary, force,
+                        _threads(threads), seed, progress)
     return Build(built.molecule, built.triangulation, json.loads(built.report))
 
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Molecules of surfaces with boundaries, and the hydrogen there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "nanocarbon/building/build_molecule.h"
+#include "nanocarbon/molecule/hydrogens.h"
+#include "nanocarbon/shapes/shapes.h"
+#include "nanocarbon/topology/bond_graph.h"
+#include "remeshing/shapes.h"
+
+namespace nanocarbon::building {
+namespace {
+
+BuildResult built(const TriangleMesh& surface, std::size_t atoms, Boundary boundary,
+                  Quality quality = Quality::draft) {
+  BuildOptions options;
+  options.size = AtomCount{atoms};
+  options.quality = quality;
+  options.boundary = boundary;
+  return build_molecule(surface, options);
+}
+
+struct Neighbours {
+  int carbon = 0, hydrogen = 0;
+};
+
+std::vector<Neighbours> neighbours_of(const Molecule& molecule) {
+  std::vector<Neighbours> neighbours(molecule.size());
+  for (const Bond& bond : molecule.bonds)
+    for (const auto& [a, b] : {std::pair(bond.first, bond.second), std::pair(bond.second, bond.first)})
+      ++(molecule.elements[b] == Element::carbon ? neighbours[a].carbon : neighbours[a].hydrogen);
+  return neighbours;
+}
+
+class OpenSurface : public testing::TestWithParam<Quality> {};
+
+TEST_P(OpenSurface, HasOneHydrogenForEachCarbonWithTwoNeighboursAndNoneElsewhere) {
+  const BuildResult result = built(test::open_tube(9.0, 24.0, 40, 30), 500, Boundary::hydrogen, GetParam());
+  const Molecule& molecule = result.molecule;
+  EXPECT_TRUE(result.annealed->intact);
+  const std::vector<Neighbours> neighbours = neighbours_of(molecule);
+  std::size_t open = 0;
+  for (AtomIndex a = 0; a < molecule.size(); ++a) {
+    if (molecule.elements[a] == Element::hydrogen) {
+      EXPECT_EQ(neighbours[a].carbon, 1);
+      EXPECT_EQ(neighbours[a].hydrogen, 0);
+      continue;
+    }
+    EXPECT_GE(neighbours[a].carbon, 2) << "atom " << a;
+    EXPECT_EQ(neighbours[a].carbon + neighbours[a].hydrogen, 3) << "atom " << a;
+    open += neighbours[a].carbon == 2;
+  }
+  EXPECT_EQ(molecule::hydrogen_count(molecule), open);
+  EXPECT_EQ(result.boundary->hydrogens, open);
+  EXPECT_EQ(result.boundary->units.open_atoms, open);
+  EXPECT_EQ(result.boundary->units.dead_ends, 0u);
+  EXPECT_EQ(result.boundary->units.loops, 2u);
+  // The bonds are those that distances say.
+  EXPECT_EQ(topology::bonds_within(molecule.positions, molecule.elements, nullptr), molecule.bonds);
+}
+
+INSTANTIATE_TEST_SUITE_P(Annealed, OpenSurface, testing::Values(Quality::draft, Quality::good),
+                         [](const auto& quality) {
+                           return quality.param == Quality::draft ? "draft" : "good";
+                         });
+
+TEST(OpenSurfaces, BareBoundariesHaveNoHydrogen) {
+  const BuildResult result = built(shapes::make_hemisphere(1.0, 0.15), 400, Boundary::bare);
+  EXPECT_EQ(molecule::hydrogen_count(result.molecule), 0u);
+  EXPECT_EQ(result.boundary->hydrogens, 0u);
+  EXPECT_GT(result.boundary->units.open_atoms, 20u);
+}
+
+// By what bonds to hydrogen are worth: about 1 eV for each Angstrom.
+TEST(OpenSurfaces, HydrogenTakesMostOfTheEnergyOfABoundary) {
+  const TriangleMesh surface = shapes::make_hemisphere(1.0, 0.15);
+  const BuildResult with = built(surface, 400, Boundary::hydrogen),
+                    bare = built(surface, 400, Boundary::bare);
+  EXPECT_LT(with.boundary->energy / with.boundary->units.length, 0.4);
+  EXPECT_GT(bare.boundary->energy / bare.boundary->units.length, 0.8);
+}
+
+TEST(OpenSurfaces, AClosedSurfaceHasNoHydrogen) {
+  const BuildResult result = built(shapes::make_sphere(1.0, 10), 300, Boundary::hydrogen);
+  EXPECT_EQ(molecule::hydrogen_count(result.molecule), 0u);
+  EXPECT_EQ(result.boundary->units.loops, 0u);
+}
+
+}  // namespace
+}  // namespace nanocarbon::building
