@@ -19,9 +19,16 @@ TriangleMesh lattice(unsigned width, unsigned height) {
   const auto vertex = [&](unsigned x, unsigned y) { return static_cast<VertexIndex>(y * width + x); };
   for (unsigned y = 0; y + 1 < height; ++y)
     for (unsigned x = 0; x + 1 < width; ++x) {
-      mesh.triangles.push_back({vertex(x, y), vertex(x + 1, y), vertex(x, y + 1)});
-      mesh.triangles.push_back({vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+      // The triangles at the two sharp corners would hang on by one side.
+      if (x + y > 0) mesh.triangles.push_back({vertex(x, y), vertex(x + 1, y), vertex(x, y + 1)});
+      if (x + y + 4 < width + height)
+        mesh.triangles.push_back({vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
     }
+  // Without their vertices, the first and the last.
+  mesh.points.erase(mesh.points.begin());
+  mesh.points.pop_back();
+  for (Triangle& t : mesh.triangles)
+    for (VertexIndex& v : t) --v;
   return mesh;
 }
 
@@ -32,7 +39,7 @@ TrivalentNetwork lattice_network(unsigned width = 9, unsigned height = 9) {
 // The lattice without the triangles of a vertex in its middle, so that there are two loops.
 TrivalentNetwork annulus() {
   TriangleMesh mesh = lattice(12, 12);
-  const VertexIndex middle = 6 * 12 + 6;
+  const VertexIndex middle = 6 * 12 + 6 - 1;
   std::erase_if(mesh.triangles,
                 [&](const Triangle& t) { return t[0] == middle || t[1] == middle || t[2] == middle; });
   for (Triangle& t : mesh.triangles)

@@ -31,16 +31,23 @@ Molecule rattled(Molecule molecule, double amplitude) {
   return molecule;
 }
 
+struct Case {
+  Molecule carbon;
+  double gain;  // eV, at most, by which each hydrogen comes to rest below where the model has it
+};
+
 // Benzene, coronene, flakes and tubes with zigzag, armchair and chiral ends: minima of both, hydrogen counted as
-// in benzene.
+// in benzene. Free hydrogen leaves the plane of the bonds beside it where the sheet is bent: never at a loss, but
+// on narrow tubes at some gain.
 TEST(OpenAtoms, MinimaAreThoseOfTheFullPotentialWithHydrogen) {
-  const std::vector<Molecule> molecules = {
-      structures::graphene_flake(1.5),   structures::graphene_flake(4.0),
-      structures::graphene_flake(11.0),  structures::open_tube(9, 0, 12.0),
-      structures::open_tube(6, 6, 12.0), structures::open_tube(8, 3, 14.0)};
+  const std::vector<Case> cases = {
+      {structures::graphene_flake(1.5), 0.002},   {structures::graphene_flake(4.0), 0.01},
+      {structures::graphene_flake(11.0), 0.02},   {structures::open_tube(9, 0, 12.0), 0.05},
+      {structures::open_tube(18, 0, 12.0), 0.02}, {structures::open_tube(6, 6, 12.0), 0.03},
+      {structures::open_tube(8, 3, 14.0), 0.04}};
   rebo2::Rebo2 full;
-  for (Molecule carbon : molecules) {
-    Molecule whole = molecule::saturated_with_hydrogen(carbon);
+  for (const auto& [start, gain] : cases) {
+    Molecule carbon = start, whole = molecule::saturated_with_hydrogen(start);
     const std::size_t hydrogens = molecule::hydrogen_count(whole);
     ASSERT_GT(hydrogens, 5u);
     const auto known = minimisation::minimise_molecule(whole, full, {.force_tolerance = 1e-5});
@@ -50,8 +57,9 @@ TEST(OpenAtoms, MinimaAreThoseOfTheFullPotentialWithHydrogen) {
         minimisation::minimise_lbfgs(carbon.positions, [&](auto x, auto g) { return rebo2.evaluate(x, g); },
                                      {.max_iterations = 3000, .force_tolerance = 1e-5});
     const double expected = known.energy - static_cast<double>(hydrogens) * full.hydrogen_energy();
-    EXPECT_NEAR((relaxed.energy - expected) / static_cast<double>(hydrogens), 0, 0.02)
-        << carbon.size() << " atoms, " << hydrogens << " of hydrogen";
+    const double each = (relaxed.energy - expected) / static_cast<double>(hydrogens);
+    EXPECT_GT(each, -1e-4) << carbon.size() << " atoms, " << hydrogens << " of hydrogen";
+    EXPECT_LT(each, gain) << carbon.size() << " atoms, " << hydrogens << " of hydrogen";
   }
 }
 

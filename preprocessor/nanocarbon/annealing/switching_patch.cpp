@@ -138,9 +138,13 @@ void SwitchingPatch::apply(const NetworkEdit& edit) {
 void SwitchingPatch::place_flipped(AtomIndex i, AtomIndex j) {
   const auto outer = [&](AtomIndex a, AtomIndex other) {
     Vec3 sum = Vec3::Zero();
+    double count = 0;
     for (const AtomIndex n : atoms_[a].neighbour)
-      if (n != other) sum += 0.5 * graph_.space.beside(positions_[n], positions_[i]);
-    return sum;
+      if (n != other && n != no_atom) {
+        sum += graph_.space.beside(positions_[n], positions_[i]);
+        ++count;
+      }
+    return Vec3(sum / count);  // an open atom still has one
   };
   const Vec3 centre = 0.5 * (positions_[i] + graph_.space.beside(positions_[j], positions_[i]));
   const Vec3 direction = (outer(i, j) - outer(j, i)).normalized();
