@@ -36,7 +36,7 @@ page::PageContents build_page(const BuildCommand& command, const building::Build
     contents.mood = result.rest->intact ? page::Mood::good : page::Mood::bad;
     contents.facts.emplace_back(
         "verdict", result.rest->intact ? "the potential binds exactly the atoms that the molecule binds"
-                                           : "the potential binds other atoms than the molecule does");
+                                       : "the potential binds other atoms than the molecule does");
   }
   const auto potential = building::make_potential(command.build.potential);
   analysis::AnalyseOptions options;

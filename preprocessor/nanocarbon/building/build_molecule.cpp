@@ -212,12 +212,12 @@ BuildResult build_by_annealing(SizedSurface surface, const BuildOptions& options
     certificate = minimisation::certify(
         molecule, *potential,
         {.force_tolerance = std::min(minimisation::certified_force, options.force_tolerance)});
-    rest = resting_state(molecule, *potential, certificate->energy, certificate->max_force,
-                         certificate->intact);
+    rest =
+        resting_state(molecule, *potential, certificate->energy, certificate->max_force, certificate->intact);
     if (!options.force) require_bonds_that_hold(rest.intact, molecule, surface);
   }
-  const Likeness like = likeness(molecule::carbon_skeleton(molecule), surface.mesh, rest.above_graphene,
-                                 options.boundary);
+  const Likeness like =
+      likeness(molecule::carbon_skeleton(molecule), surface.mesh, rest.above_graphene, options.boundary);
   if (!options.force) require_likeness(like);
   BuildResult result;
   result.triangulation =

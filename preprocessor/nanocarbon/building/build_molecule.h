@@ -60,7 +60,7 @@ struct BuildOptions {
   //! If a size does not work, look for one that does.
   bool advise = true;
   thesis::ThesisOptions thesis;  //!< of the thesis and its forerunners
-  bool relax = false;  //!< their dual, to a minimum of REBO2 with its own bonds (dual_minimum.h)
+  bool relax = false;            //!< their dual, to a minimum of REBO2 with its own bonds (dual_minimum.h)
 
   unsigned threads = 1;
   std::uint64_t seed = 1;

@@ -239,11 +239,10 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
   report["triangulation_edges"] = lengths_json(edge_lengths_of(result.triangulation), edges);
   const mesh::SurfaceDistance triangulation =
       mesh::distance_between(result.triangulation, result.surface.mesh);
-  report["distance"] = {
-      {"atoms_to_surface", distance_json(mesh::distances_to_surface(
-                               carbon.positions, mesh::NearestPoint(result.surface.mesh)))},
-      {"surface_to_triangulation", distance_json(triangulation.back)},
-      {"triangulation_to_surface", distance_json(triangulation.there)}};
+  report["distance"] = {{"atoms_to_surface", distance_json(mesh::distances_to_surface(
+                                                 carbon.positions, mesh::NearestPoint(result.surface.mesh)))},
+                        {"surface_to_triangulation", distance_json(triangulation.back)},
+                        {"triangulation_to_surface", distance_json(triangulation.there)}};
   if (result.annealed) report["annealing"] = annealed_json(*result.rest, *result.annealed);
   if (result.likeness)
     report["likeness"] = {{"shape_radius", result.likeness->shape_radius},

@@ -35,9 +35,11 @@ Fault worst_fault(const Molecule& molecule) {
     return rebo_bond_cutoffs.of(molecule.elements[a], molecule.elements[b]);
   };
   for (const Bond& bond : bonds)
-    look(bond.first, bond.second, 
-         between(bond.first, bond.second).norm() - cutoff(bond.first, bond.second).begin, "a bond stretched to");
-  const NeighbourList near = neighbours_within(molecule.positions, space.cell(), rebo_bond_cutoffs.carbon_carbon.end);
+    look(bond.first, bond.second,
+         between(bond.first, bond.second).norm() - cutoff(bond.first, bond.second).begin,
+         "a bond stretched to");
+  const NeighbourList near =
+      neighbours_within(molecule.positions, space.cell(), rebo_bond_cutoffs.carbon_carbon.end);
   for (AtomIndex a = 0; a < molecule.size(); ++a)
     for (const Neighbour& n : near.of(a))
       if (a < n.atom && !std::binary_search(bonds.begin(), bonds.end(), Bond{a, n.atom}))

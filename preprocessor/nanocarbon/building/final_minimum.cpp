@@ -51,9 +51,8 @@ Descent descend(const annealing::AnnealingLevel& level, double left, potential::
 double move_to_surface(std::vector<Vec3>& positions, std::size_t carbons, TriangleMesh surface,
                        const Mat3& deformation, bool keep_size) {
   if (surface.space.periodic()) mesh::deform(surface, deformation);
-  const annealing::Similarity fit =
-      annealing::fit_to_surface(std::span<const Vec3>(positions.data(), carbons),
-                                annealing::TetherSurface(surface, 1), !keep_size);
+  const annealing::Similarity fit = annealing::fit_to_surface(
+      std::span<const Vec3>(positions.data(), carbons), annealing::TetherSurface(surface, 1), !keep_size);
   for (Vec3& p : positions) p = fit(p) / fit.scale;
   return 1 / fit.scale;
 }
@@ -77,8 +76,7 @@ FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& 
   result.deformation = descent.end.deformation;
   result.stress = descent.end.stress;
   result.accepted = level.accepted;
-  result.rest =
-      resting_state(result.molecule, potential, minimum.energy, minimum.max_force, minimum.intact);
+  result.rest = resting_state(result.molecule, potential, minimum.energy, minimum.max_force, minimum.intact);
   result.growth = move_to_surface(result.molecule.positions, result.network.atoms.size(), surface,
                                   result.deformation, options.keep_size);
   return result;
@@ -90,12 +88,12 @@ RestingState resting_state(const Molecule& molecule, const potential::Potential&
   const annealing::GeometryCheck check =
       annealing::check_geometry(carbon.positions, annealing::fixed_bond_graph(carbon));
   const std::size_t carbons = carbon.size(), hydrogens = molecule.size() - carbons;
-  return {.energy = energy / static_cast<double>(molecule.size()),
-          .above_graphene =
-              potential.above_graphene(energy, carbons, hydrogens) / static_cast<double>(carbons),
-          .max_force = max_force,
-          .intact = intact,
-          .closest_unbonded = check.closest_unbonded};
+  return {
+      .energy = energy / static_cast<double>(molecule.size()),
+      .above_graphene = potential.above_graphene(energy, carbons, hydrogens) / static_cast<double>(carbons),
+      .max_force = max_force,
+      .intact = intact,
+      .closest_unbonded = check.closest_unbonded};
 }
 
 }  // namespace nanocarbon::building

@@ -162,7 +162,7 @@ TEST(ReadPly, EveryTruncationOfABinaryFileIsRefused) {
   const std::string whole = binary_header(ByteOrder::little) + binary_body(ByteOrder::little);
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_THROW(parse_mesh(whole.substr(0, size), "a.ply"), UserError) << size;
-  EXPECT_THAT(parse_mesh(whole + "x", "a.ply").notes, ElementsAre(HasSubstr("follows the last element")));
+  EXPECT_THAT(parse_mesh(whole + "x", "a.ply").notes, ElementsAre(HasSubstr("after the last element")));
 }
 
 TEST(ReadPly, PromisedListLengthsAreNotBelieved) {

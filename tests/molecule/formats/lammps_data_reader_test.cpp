@@ -213,7 +213,8 @@ TEST(LammpsDataReader, GuessesNoElement) {
   // Masses that stand for none: in units lj, or by programs that know none.
   EXPECT_THAT(error_of(two_types("Masses\n\n1 1.0\n2 1.0\n\n")), HasSubstr("nothing in the file says"));
   // A united atom, CH2.
-  EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011\n2 13.019\n\n")), HasSubstr("a mass that no element has"));
+  EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011\n2 13.019\n\n")),
+              HasSubstr("a mass that no element has"));
   // A name that says the opposite of the mass.
   EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011 # H\n2 1.008 # C\n\n")),
               HasSubstr("has the mass of carbon, but is called hydrogen"));
@@ -232,7 +233,7 @@ TEST(LammpsDataReader, TakesElementsFromMassesLabelsCommentsAndOptions) {
   for (const std::vector<std::string>& types :
        std::vector<std::vector<std::string>>{{"CA=C", "HA=H"}, {"C", "H"}, {"1=C,2=H"}, {"C,H"}})
     EXPECT_THAT(read(two_types("", own_names), {.types = types}).molecule.elements, carbon_and_hydrogen);
-  EXPECT_THAT(error_of(two_types(""), {.types = {"C", "C", "C"}}), HasSubstr("names 3 types"));
+  EXPECT_THAT(error_of(two_types(""), {.types = {"C", "C", "C"}}), HasSubstr("gives 3 types"));
   EXPECT_THAT(error_of(two_types(""), {.types = {"C", "Au"}}), HasSubstr("gold"));
   EXPECT_THAT(error_of(two_types(""), {.types = {"C", "2=H"}}),
               HasSubstr("some types have names and some do not"));

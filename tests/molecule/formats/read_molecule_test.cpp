@@ -122,7 +122,7 @@ TEST(ReadMolecule, TakesTheFrameAskedFor) {
   EXPECT_EQ(distance(-1), 1.6);
   EXPECT_EQ(distance(-3), 1.4);
   EXPECT_EQ(read_text(frames, "a", {}, 2).step, 10);
-  EXPECT_THAT(read_text(frames, "a").warnings, ElementsAre(HasSubstr("other frames")));
+  EXPECT_THAT(read_text(frames, "a").warnings, ElementsAre(HasSubstr("more frames")));
   EXPECT_THAT(read_text(frames, "a", {}, 1).warnings, ElementsAre());
   for (const std::int64_t none : {4, -4, 0}) EXPECT_THROW(distance(none), UserError) << none;
   EXPECT_EQ(test::read_frames(frames, "a").size(), 3u);

@@ -10,10 +10,11 @@ namespace nanocarbon::airebo {
 
 //! Parameters of E_LJ for one pair of elements (Stuart et al. 2000, equations 7 to 14).
 struct LongRangeParameters {
-  double length_switch_begin;  //!< S(t_r): up to here the bond order decides whether the pair repels, Angstrom
-  double length_switch_end;    //!< from here on it does not matter, Angstrom
-  double order_switch_begin;   //!< S(t_b): pairs of a smaller b* repel in full
-  double order_switch_end;     //!< pairs of a larger b* are bonded and do not
+  double
+      length_switch_begin;    //!< S(t_r): up to here the bond order decides whether the pair repels, Angstrom
+  double length_switch_end;   //!< from here on it does not matter, Angstrom
+  double order_switch_begin;  //!< S(t_b): pairs of a smaller b* repel in full
+  double order_switch_end;    //!< pairs of a larger b* are bonded and do not
   LjPairParameters potential;  //!< Morse is zero in AIREBO
 };
 
