@@ -189,6 +189,21 @@ void print_json(const AnalyseCommand& command, const Findings& found) {
   }
 }
 
+// --types takes words up to the next option, FILEs too where they stand behind them.
+void find_files(AnalyseCommand& command) {
+  std::vector<std::string>& types = command.input.types;
+  const auto is_file = [](const std::string& word) {
+    std::error_code ignored;
+    return word == "-" || fs::exists(word, ignored);
+  };
+  while (types.size() > 1 && (is_file(types.back()) || command.files.empty())) {
+    command.files.insert(command.files.begin(), types.back());
+    types.pop_back();
+    if (!is_file(command.files.front())) break;
+  }
+  if (command.files.empty()) throw CLI::RequiredError("FILE");
+}
+
 void print_frames(const Findings& found) {
   const analysis::FrameChange& c = found.change;
   const auto changed = std::find_if(found.frames.begin(), found.frames.end(),
@@ -273,7 +288,7 @@ void add_analyse(CLI::App& app) {
   sub.add_option("FILE", c.files,
                  "LAMMPS data files and text dumps, XYZ, extended XYZ, CIF or POSCAR, also compressed with "
                  "gzip; - for standard input. Several files form one trajectory, in this order")
-      ->required();
+      ->option_text("TEXT ... REQUIRED");
   sub.add_flag("--json", c.json, "Print everything as JSON, including the atoms of each ring and defect");
   sub.add_option("--xyz", c.xyz,
                  "Write all frames as extended XYZ, with what is known of each atom as columns")
@@ -320,6 +335,7 @@ Examples:
   nanocarbon analyse run.lammpstrj.gz --types C H --xyz columns.xyz --csv frames.csv
   nanocarbon analyse amorphous.data --json --max-ring 10
   nanocarbon analyse relaxed.data --mesh dual.off)");
+  sub.parse_complete_callback([command] { find_files(*command); });
   sub.callback([command, &sub] {
     command->command_line = command_text(sub);
     run(*command);

@@ -101,6 +101,25 @@ TEST_F(Analyse, JsonThatCannotBeWrittenIsSaid) {
   EXPECT_THAT(outcome.output, HasSubstr("standard output"));
 }
 
+// As LAMMPS writes by default: types without elements, atoms in any order.
+TEST_F(Analyse, TypesAndFilesMayStandInAnyOrder) {
+  const std::string first = path("first.lammpstrj"), second = path("second.lammpstrj");
+  for (const std::string& dump : {first, second})
+    std::ofstream(dump)
+        << "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n"
+           "ITEM: ATOMS type z y x id\n1 0 0 2.8 3\n1 0 0 0 1\n1 0 0 1.4 2\n";
+  for (const std::string& order :
+       {first + " " + second + " --types C", "--types C H " + first + " " + second,
+        first + " --types C " + second, "--types 1=C " + first + " " + second + " --every 1"}) {
+    const json found = json::parse(run("analyse --json -q " + order).out);
+    EXPECT_EQ(found["frames"].size(), 2u) << order;
+    EXPECT_EQ(found["bonds"]["C-C"]["count"], 2) << order;
+  }
+  EXPECT_EQ(run("analyse --types C").exit_code, 2);
+  EXPECT_EQ(run("analyse --types C " + path("nowhere.xyz")).exit_code, 3);
+  EXPECT_THAT(run("analyse " + first).err, HasSubstr("--types"));
+}
+
 TEST_F(Analyse, SaysWhatIsWrongAndExitsWithItsCode) {
   const std::string data = path("sheet.data");
   ASSERT_EQ(run("make graphene --cells 2 2 -q -o " + data).exit_code, 0);
