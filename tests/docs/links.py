@@ -9,6 +9,7 @@ Links to other sites are not followed: tests need no network.
 """
 
 import html.parser
+import os
 import pathlib
 import re
 import sys
@@ -101,7 +102,13 @@ class Page(html.parser.HTMLParser):
 
 
 def site_complaints(folder):
-    pages = {path.resolve(): Page(path.read_text(encoding="utf-8", errors="replace")) for path in folder.rglob("*.html")}
+    root = os.path.abspath(folder)
+    files = {os.path.join(at, name) for at, _, names in os.walk(root) for name in names}
+    pages = {}
+    for path in files:
+        if path.endswith(".html"):
+            with open(path, encoding="utf-8", errors="replace") as text:
+                pages[path] = Page(text.read())
     complaints, followed = [], 0
     for path, page in pages.items():
         for link in page.links:
@@ -109,23 +116,24 @@ def site_complaints(folder):
                 continue
             followed += 1
             file, _, anchor = urllib.parse.unquote(link).partition("#")
-            target = (path.parent / file.partition("?")[0]).resolve() if file else path
-            if target.is_dir():
-                target /= "index.html"
-            if not target.exists():
+            file = file.partition("?")[0]
+            target = os.path.normpath(os.path.join(os.path.dirname(path), file)) if file else path
+            if target not in files and os.path.join(target, "index.html") in files:
+                target = os.path.join(target, "index.html")
+            if target not in files:
                 complaints.append(f"{path}: {link} leads nowhere")
             elif target == path and page.by_doxygen:
                 pass  # its summary leads to private classes, which the page leaves out
             elif anchor and target in pages and anchor not in pages[target].anchors:
                 complaints.append(f"{path}: {link}: there is no such anchor")
-    if folder.resolve() / "index.html" not in pages:
+    if os.path.join(root, "index.html") not in pages:
         complaints.append(f"{folder}: there is no index.html")
     return complaints, followed
 
 
 def main():
     if sys.argv[1] == "--site":
-        complaints, followed = site_complaints(pathlib.Path(sys.argv[2]))
+        complaints, followed = site_complaints(sys.argv[2])
     else:
         complaints, followed = markdown_complaints(pathlib.Path(sys.argv[1]).resolve())
     if complaints:
