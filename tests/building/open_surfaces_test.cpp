@@ -39,7 +39,7 @@ class OpenSurface : public testing::TestWithParam<Quality> {};
 TEST_P(OpenSurface, HasOneHydrogenForEachCarbonWithTwoNeighboursAndNoneElsewhere) {
   const BuildResult result = built(test::open_tube(9.0, 24.0, 40, 30), 500, Boundary::hydrogen, GetParam());
   const Molecule& molecule = result.molecule;
-  EXPECT_TRUE(result.annealed->intact);
+  EXPECT_TRUE(result.rest->intact);
   const std::vector<Neighbours> neighbours = neighbours_of(molecule);
   std::size_t open = 0;
   for (AtomIndex a = 0; a < molecule.size(); ++a) {
