@@ -95,7 +95,7 @@ TEST(FormulaSurface, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(refusal(of("x, y")), HasSubstr("comma"));
   EXPECT_THAT(refusal(of("sqrt(cos(x) - 2)")), HasSubstr("no finite value at"));
   EXPECT_THAT(refusal(of("cos(x) + cos(y) + cos(1.1*z)")), HasSubstr("along the cell's edge c"));
-  EXPECT_THAT(refusal(of("cos(x) + 5")), HasSubstr("one sign"));
+  EXPECT_THAT(refusal(of("cos(x) + 5")), HasSubstr("same sign"));
   FormulaSurface thin = of("cos(x) + cos(y) + cos(z)");
   thin.thickness = 0.01;
   EXPECT_THAT(refusal(thin), HasSubstr("thickness"));
