@@ -32,7 +32,7 @@ MESHES = [
     ("capsule", "A capsule", 400, {}),
     ("sphere", "A sphere", 320, {}),
     ("hemisphere", "A bowl", 300, {"theta": "60"}),
-    ("gyroid-piece", "A cube's worth of the gyroid", 990, {"theta": "40", "phi": "20"}),
+    ("gyroid-piece", "A cube's worth of the gyroid", 900, {"theta": "40", "phi": "20"}),
 ]
 STRUCTURES = [
     ("c60", "C60", ["fullerene", "1", "1"]),
