@@ -18,7 +18,8 @@ shift
 cd "$(dirname "$0")/.."
 program=build/release/preprocessor/cli/nanocarbon
 [ -x $program ] || { echo "check-lammps: there is no $program: run scripts/demo.sh first" >&2; exit 2; }
-export OMP_NUM_THREADS=1 OMPI_MCA_rmaps_base_oversubscribe=1
+# Open MPI 4 and 5 have their own names for more ranks than cores.
+export OMP_NUM_THREADS=1 OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 
 work=out/check-lammps

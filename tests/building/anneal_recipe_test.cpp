@@ -56,23 +56,5 @@ TEST(Anneal, GoodLeavesASphereItsTwelvePentagons) {
             0.1541 * 320 / static_cast<double>(molecule.size()) + 0.006);
 }
 
-// Forty balls: a quarter of the atoms is too few for so many closed pieces, the number asked for is not.
-TEST(Anneal, LevelsTooCoarseForTheTopologyAreLeftOut) {
-  constexpr std::size_t pieces = 40, each = 32;
-  const TriangleMesh ball = sphere_for(each);
-  TriangleMesh balls;
-  for (std::size_t k = 0; k < pieces; ++k) {
-    const auto first = static_cast<VertexIndex>(balls.points.size());
-    for (const Vec3& p : ball.points) balls.points.push_back(p + Vec3(20.0 * static_cast<double>(k), 0, 0));
-    for (const Triangle& t : ball.triangles)
-      balls.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  rebo2::Rebo2 rebo2;
-  const AnnealResult result = anneal(balls, pieces * each, rebo2, {.threads = 2});
-  EXPECT_EQ(result.record.refinements, 0);
-  EXPECT_TRUE(result.minimum.rest.intact);
-  EXPECT_NEAR(static_cast<double>(result.minimum.molecule.size()), pieces * each, 0.02 * pieces * each);
-}
-
 }  // namespace
 }  // namespace nanocarbon::building

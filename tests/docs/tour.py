@@ -31,6 +31,7 @@ def main():
     environment = os.environ | {
         "PATH": os.pathsep.join([*map(os.path.abspath, folders), os.environ["PATH"]]), "OMP_NUM_THREADS": "1",
         "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+        "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
         "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_mpi_yield_when_idle": "1"}
     with_ase = subprocess.run(["/usr/bin/python3", "-c", "import ase"], capture_output=True, check=False).returncode == 0
 

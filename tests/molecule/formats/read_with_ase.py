@@ -6,6 +6,7 @@ Prints: number of atoms, symbols joined, pbc, the cell's nine numbers, then one 
 the bonded atoms where the file names them.
 """
 import sys
+import warnings
 
 from ase.io import read, write
 
@@ -16,6 +17,8 @@ if kind == "convert":
 if kind == "xyz":
     atoms = read(path, format="extxyz")
 else:
+    # Newer versions warn of `style`, older ones do not know `atom_style`.
+    warnings.simplefilter("ignore", FutureWarning)
     atoms = read(path, format="lammps-data", Z_of_type={1: 6, 2: 1}, style=sys.argv[3], sort_by_id=True)
 print(len(atoms))
 print("".join(atoms.get_chemical_symbols()))
