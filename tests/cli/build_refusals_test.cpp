@@ -78,7 +78,7 @@ TEST_F(BuildRefusals, AMoleculeNotShownToBeAtAMinimumIsNotPassedOffAsCertified) 
     ribbon << "3 " << a + 1 << ' ' << a + 2 << ' ' << a + 3 << '\n';
   }
   const std::string build = "build " + file("ribbon.off", ribbon.str()) +
-                            " --atoms 400 --quality draft --certify -o " + path("ribbon.data") +
+                            " --atoms 320 --quality draft --certify -o " + path("ribbon.data") +
                             " --report " + path("ribbon.json");
   const Outcome refused = run(build);
   EXPECT_EQ(refused.exit_code, 8);
