@@ -61,11 +61,12 @@ void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output) {
   subcommand.add_flag("-q,--quiet", output.quiet, "Print nothing but errors");
 }
 
-void relax(Molecule& structure, building::PotentialChoice choice, const minimisation::FreeEdges& edges,
+void relax(Molecule& structure, building::PotentialChoice choice, minimisation::CellRelaxation relaxation,
            const MoleculeOutput& output) {
   const std::unique_ptr<potential::Potential> potential = building::make_potential(choice);
   const minimisation::MinimisationResult relaxed =
-      minimisation::relax_structure(structure, *potential, edges, {.force_tolerance = relaxed_force});
+      minimisation::minimise_in_cell(structure, *potential, relaxation, {.force_tolerance = relaxed_force})
+          .minimum;
   const std::vector<Bond> bonds = topology::bonds_within(structure.positions, structure.elements,
                                                          structure.cell ? &*structure.cell : nullptr);
   if (!relaxed.converged || bonds.size() != structure.bonds.size())

@@ -7,7 +7,7 @@
 
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
-#include "nanocarbon/minimisation/relax_structure.h"
+#include "nanocarbon/minimisation/cell_minimum.h"
 #include "nanocarbon/molecule/molecule.h"
 
 namespace nanocarbon::cli {
@@ -23,8 +23,9 @@ struct MoleculeOutput {
 void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output);
 
 //! \brief Brings a structure to a minimum of a potential, and says what it has become on the terminal.
+//! \param relaxation strains of its cell that may change, if it has one
 //! \throw UserError (failed) where it is not reached, or bonds are not those they were
-void relax(Molecule& structure, building::PotentialChoice potential, const minimisation::FreeEdges& edges,
+void relax(Molecule& structure, building::PotentialChoice potential, minimisation::CellRelaxation relaxation,
            const MoleculeOutput& output);
 
 //! Writes it in the format of the path's extension, and a line about it to the terminal.

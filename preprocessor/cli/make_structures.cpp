@@ -130,7 +130,8 @@ Example:
   nanocarbon make onion --shells 4 -o onion.data)");
   sub.callback([c, &sub] {
     Molecule onion = structures::onion(c->innermost, c->shells);
-    if (c->potential != building::PotentialChoice::rebo2) relax(onion, c->potential, {}, c->output);
+    if (c->potential != building::PotentialChoice::rebo2)
+      relax(onion, c->potential, minimisation::CellRelaxation::none, c->output);
     write_molecule(c->output, onion, sub);
   });
 }

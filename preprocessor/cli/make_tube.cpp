@@ -61,8 +61,7 @@ Molecule relaxed_bundle(const TubeCommand& c) {
   const bool crystal = !c.bundle_cells.empty();
   Molecule bundle = crystal ? structures::bundle_crystal(tube, c.bundle_cells[0], c.bundle_cells[1], distance)
                             : structures::bundle(tube, c.bundle, distance);
-  const bool along = tube.cell.has_value();
-  relax(bundle, potential, {.free = {crystal, crystal, along}, .alike_across = true}, c.output);
+  relax(bundle, potential, minimisation::CellRelaxation::uniaxial, c.output);
   return bundle;
 }
 

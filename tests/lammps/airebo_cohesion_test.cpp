@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "nanocarbon/minimisation/relax_structure.h"
+#include "nanocarbon/minimisation/cell_minimum.h"
 #include "nanocarbon/potential/airebo/airebo.h"
 #include "nanocarbon/structures/bundle.h"
 #include "nanocarbon/structures/fullerene.h"
@@ -39,8 +39,10 @@ Relaxed relax_in_lammps(LammpsReference& lammps, const std::string& style, const
 
 Relaxed relax_here(Molecule m, bool alike_across) {
   airebo::Airebo airebo;
-  const auto relaxed = minimisation::relax_structure(
-      m, airebo, {.free = {true, true, true}, .alike_across = alike_across}, {.force_tolerance = 1e-6});
+  const auto relaxation =
+      alike_across ? minimisation::CellRelaxation::uniaxial : minimisation::CellRelaxation::orthogonal;
+  const auto relaxed =
+      minimisation::minimise_in_cell(m, airebo, relaxation, {.force_tolerance = 1e-6}).minimum;
   EXPECT_TRUE(relaxed.converged);
   return {relaxed.energy / static_cast<double>(m.size()), m.cell->vectors.diagonal()};
 }

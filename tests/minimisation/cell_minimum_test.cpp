@@ -5,8 +5,12 @@
 
 #include <cmath>
 
+#include "nanocarbon/potential/airebo/airebo.h"
 #include "nanocarbon/potential/rebo2/rebo2.h"
+#include "nanocarbon/structures/diamond.h"
+#include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
+#include "nanocarbon/structures/graphite.h"
 #include "nanocarbon/structures/schwarzite.h"
 
 namespace nanocarbon::minimisation {
@@ -70,6 +74,37 @@ TEST(CellMinimum, NoStrainIsTheMinimumInTheCellAsItIs) {
       minimise_in_cell(p688, potential, CellRelaxation::none, {.force_tolerance = 1e-4});
   EXPECT_EQ(p688.cell->vectors, before);
   EXPECT_GT(result.stress.trace(), 0) << "it pulls inwards";
+}
+
+// LAMMPS's fix box/relax.
+TEST(CellMinimum, GraphiteFindsItsBondsAndTheDistanceOfItsLayers) {
+  airebo::Airebo airebo;
+  for (const CellRelaxation relaxation : {CellRelaxation::orthogonal, CellRelaxation::uniaxial}) {
+    Molecule m = structures::graphite({2, 2, 2}, structures::Stacking::ab, {1.41, 3.25}, false);
+    const CellMinimum result = minimise_in_cell(m, airebo, relaxation, {.force_tolerance = 1e-6});
+    EXPECT_TRUE(result.minimum.converged);
+    EXPECT_NEAR(result.minimum.energy / static_cast<double>(m.size()), -7.4771092196, 1e-9);
+    EXPECT_NEAR(m.cell->vectors(1, 1) / 6, 1.3957507, 1e-6);
+    EXPECT_NEAR(m.cell->vectors(2, 2) / 2, 3.3579973, 2e-5);
+  }
+}
+
+TEST(CellMinimum, AcrossCTheTwoEdgesChangeAlike) {
+  Molecule m = structures::diamond(1, 1, 1);
+  strain(m, Vec3(1.01, 1.01, 0.98).asDiagonal());
+  rebo2::Rebo2 rebo2;
+  minimise_in_cell(m, rebo2, CellRelaxation::uniaxial, {.force_tolerance = 1e-6});
+  EXPECT_NEAR(m.cell->vectors(0, 0), 3.5657, 1e-4);
+  EXPECT_NEAR(m.cell->vectors(2, 2), 3.5657, 1e-4);
+  EXPECT_NEAR(m.cell->vectors(1, 1), m.cell->vectors(0, 0), 1e-12);
+}
+
+TEST(CellMinimum, AMoleculeInFreeSpaceComesToRestAsByMinimiseMolecule) {
+  Molecule m = structures::fullerene(1, 1);
+  airebo::Airebo airebo;
+  const CellMinimum result = minimise_in_cell(m, airebo, CellRelaxation::uniaxial, {.force_tolerance = 1e-6});
+  EXPECT_NEAR(result.minimum.energy / 60, -6.8080046046, 1e-9);  // LAMMPS's airebo
+  EXPECT_EQ(result.deformation, Mat3::Identity());
 }
 
 }  // namespace

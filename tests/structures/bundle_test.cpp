@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/minimisation/relax_structure.h"
+#include "nanocarbon/minimisation/cell_minimum.h"
 #include "nanocarbon/potential/airebo/airebo.h"
 #include "nanocarbon/structures/tube.h"
 
@@ -67,8 +67,9 @@ TEST(Bundle, ACrystalHasSixNeighboursForEachTube) {
 TEST(Bundle, ACrystalOfTubesRelaxesToLammpssEnergy) {
   Molecule m = bundle_crystal(periodic_tube(10, 10, 1), 1, 1, 16.6);
   airebo::Airebo airebo;
-  const auto relaxed = minimisation::relax_structure(
-      m, airebo, {.free = {true, true, true}, .alike_across = true}, {.force_tolerance = 1e-4});
+  const auto relaxed = minimisation::minimise_in_cell(m, airebo, minimisation::CellRelaxation::uniaxial,
+                                                      {.force_tolerance = 1e-4})
+                           .minimum;
   EXPECT_TRUE(relaxed.converged);
   const double energy = relaxed.energy / static_cast<double>(m.size());
   EXPECT_GT(energy, -7.4190097548);

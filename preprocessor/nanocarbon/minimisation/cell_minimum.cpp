@@ -31,10 +31,16 @@ std::vector<Vec3> periodic_axes(const Cell& cell) {
 std::vector<Mat3> freed_strains(const Cell& cell, CellRelaxation relaxation) {
   const std::vector<Vec3> axes = periodic_axes(cell);
   std::vector<Mat3> strains;
-  if (relaxation == CellRelaxation::isotropic) {
-    Mat3 all = Mat3::Zero();
-    for (const Vec3& axis : axes) all += axis * axis.transpose();
-    strains.push_back(all / all.norm());
+  const auto alike = [&](std::size_t first, std::size_t last) {
+    Mat3 sum = Mat3::Zero();
+    for (std::size_t i = first; i < last; ++i) sum += axes[i] * axes[i].transpose();
+    if (first < last) strains.push_back(sum / sum.norm());
+  };
+  if (relaxation == CellRelaxation::isotropic) alike(0, axes.size());
+  if (relaxation == CellRelaxation::uniaxial) {
+    const std::size_t across = axes.size() - (cell.periodic[2] ? 1 : 0);
+    alike(0, across);
+    alike(across, axes.size());
   }
   if (relaxation == CellRelaxation::orthogonal || relaxation == CellRelaxation::triclinic)
     for (const Vec3& axis : axes) strains.push_back(axis * axis.transpose());
@@ -98,6 +104,8 @@ std::string_view name(CellRelaxation relaxation) {
       return "none";
     case CellRelaxation::isotropic:
       return "isotropic";
+    case CellRelaxation::uniaxial:
+      return "uniaxial";
     case CellRelaxation::orthogonal:
       return "orthogonal";
     case CellRelaxation::triclinic:
@@ -109,6 +117,10 @@ std::string_view name(CellRelaxation relaxation) {
 CellMinimum minimise_in_cell(Molecule& molecule, potential::Potential& potential, CellRelaxation relaxation,
                              const MinimisationOptions& options) {
   CellMinimum result;
+  if (!molecule.cell) {
+    result.minimum = minimise_molecule(molecule, potential, options);
+    return result;
+  }
   int iterations = 0;
   if (relaxation != CellRelaxation::none)
     for (int round = 0; round < renewals; ++round) {
