@@ -3,13 +3,15 @@
 
 #include <algorithm>
 
+#include "nanocarbon/core/bond_cutoffs.h"
 #include "nanocarbon/core/neighbours_within.h"
 
 namespace nanocarbon::annealing {
 
 namespace {
 
-constexpr double longest_bond = 1.7, closest_unbonded = 2.0;  // where REBO2's cut-off begins and ends
+constexpr double longest_bond = rebo_bond_cutoffs.carbon_carbon.begin;
+constexpr double closest_unbonded = rebo_bond_cutoffs.carbon_carbon.end;
 constexpr int sweeps = 60;
 
 }  // namespace

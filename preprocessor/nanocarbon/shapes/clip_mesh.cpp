@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 
+#include "nanocarbon/core/disjoint_sets.h"
 #include "nanocarbon/shapes/mesh_boundaries.h"
 
 namespace nanocarbon::shapes {
@@ -80,24 +80,16 @@ TriangleMesh clip_mesh(const TriangleMesh& mesh, const ImplicitShape& keep) {
 }
 
 TriangleMesh largest_component(const TriangleMesh& mesh) {
-  std::vector<VertexIndex> parent(mesh.points.size());
-  std::iota(parent.begin(), parent.end(), VertexIndex{0});
-  const auto root = [&](VertexIndex v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets components(mesh.points.size());
   for (const Triangle& t : mesh.triangles)
-    for (const VertexIndex v : {t[1], t[2]}) {
-      const VertexIndex a = root(t[0]), b = root(v);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (const VertexIndex v : {t[1], t[2]}) components.join(t[0], v);
   std::vector<std::size_t> count(mesh.points.size(), 0);
-  for (const Triangle& t : mesh.triangles) ++count[root(t[0])];
+  for (const Triangle& t : mesh.triangles) ++count[components.find(t[0])];
   const auto largest = static_cast<VertexIndex>(std::max_element(count.begin(), count.end()) - count.begin());
   TriangleMesh component;
   component.points = mesh.points;
   for (const Triangle& t : mesh.triangles)
-    if (root(t[0]) == largest) component.triangles.push_back(t);
+    if (components.find(t[0]) == largest) component.triangles.push_back(t);
   drop_unused_points(component);
   return component;
 }
