@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/core/text_numbers.h"
 
 namespace nanocarbon::mesh {
 namespace {
@@ -14,13 +14,6 @@ namespace {
 constexpr double largest_coordinate = 1e50;  // its sixth power, a squared volume, does not overflow
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
-
-// std::from_chars calls 1e-400 out of range as it does 1e400; the first is as good as zero.
-bool is_underflow(std::string_view word) {
-  if (word.find_first_of("eE") != std::string_view::npos)
-    return word.find("e-") != word.npos || word.find("E-") != word.npos;
-  return word.substr(0, word.find('.')).find_first_of("123456789") == std::string_view::npos;
-}
 
 }  // namespace
 
@@ -35,11 +28,7 @@ const char* coordinate_fault(double value) {
   return nullptr;
 }
 
-std::string quoted(std::string_view text) {
-  std::string shown;
-  for (const char c : text.substr(0, 30)) shown += (c >= 32 && c < 127) ? c : '?';
-  return fmt::format("'{}{}'", shown, text.size() > 30 ? "..." : "");
-}
+std::string quoted(std::string_view text) { return "'" + shown(text, 30) + "'"; }
 
 TextScanner::TextScanner(std::string_view text, std::string file, Syntax syntax)
     : text_(text), file_(std::move(file)), syntax_(syntax) {
@@ -88,15 +77,11 @@ std::string_view TextScanner::word() {
 double TextScanner::coordinate(const char* what) {
   const std::string_view found = word();
   if (found.empty()) fail(fmt::format("the {} is missing", what));
-  std::string_view digits = found;
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::result_out_of_range) {
-    if (!is_underflow(digits)) fail(fmt::format("the {} {} is too large for a number", what, quoted(found)));
-    return 0.0;
-  }
-  if (error != std::errc() || end != digits.data() + digits.size()) {
+  const NumberToken token = read_real(found, value);
+  if (token == NumberToken::too_large)
+    fail(fmt::format("the {} {} is too large for a number", what, quoted(found)));
+  if (token == NumberToken::not_a_number) {
     if (found.find(',') != found.npos)
       fail(fmt::format("the {} {} is not a number", what, quoted(found)),
            "write decimal points instead of commas");
@@ -110,11 +95,8 @@ double TextScanner::coordinate(const char* what) {
 std::int64_t TextScanner::integer(const char* what) {
   const std::string_view found = word();
   if (found.empty()) fail(fmt::format("the {} is missing", what));
-  std::string_view digits = found;
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size())
+  if (read_integer(found, value) != NumberToken::number)
     fail(fmt::format("the {} {} is not an integer", what, quoted(found)));
   return value;
 }

@@ -13,8 +13,7 @@ namespace nanocarbon::mesh {
                                const std::string& remedy = "repair the file or export it again");
 
 //! Walks over a text file line by line and word by word, keeping the place for error messages. Lines end with
-//! LF, CR LF or (in a file without any LF) CR. Numbers are read by std::from_chars: exact, whatever the
-//! locale.
+//! LF, CR LF or (in a file without any LF) CR. Numbers are read as in core/text_numbers.h.
 class TextScanner {
  public:
   struct Syntax {

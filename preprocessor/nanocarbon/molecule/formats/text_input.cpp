@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -18,21 +17,6 @@ constexpr std::size_t longest_line = std::size_t{1} << 24;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r' || c == '\n' || c == '\0';
-}
-
-template <typename Number>
-bool parse(std::string_view token, Number& value) {
-  if (token.size() > 1 && token[0] == '+' && token[1] != '-') token.remove_prefix(1);
-  const char* const last = token.data() + token.size();
-  const auto [end, error] = std::from_chars(token.data(), last, value);
-  // std::from_chars calls 1e-400 out of range as it does 1e400; the first is as good as zero.
-  if constexpr (std::is_floating_point_v<Number>)
-    if (error == std::errc::result_out_of_range && end == last &&
-        (token.find("e-") != std::string_view::npos || token.find("E-") != std::string_view::npos)) {
-      value = 0.0;
-      return true;
-    }
-  return error == std::errc() && end == last;
 }
 
 }  // namespace
@@ -169,24 +153,17 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
-bool parse_integer(std::string_view token, std::int64_t& value) { return parse(token, value); }
+bool parse_integer(std::string_view token, std::int64_t& value) {
+  return read_integer(token, value) == NumberToken::number;
+}
 
 bool parse_real(std::string_view token, double& value) {
-  if (parse(token, value)) return true;
+  if (read_real(token, value) == NumberToken::number) return true;
   const std::size_t exponent = token.find_first_of("dD");
   if (exponent == std::string_view::npos || token.size() > 60) return false;
   std::string with_e(token);
   with_e[exponent] = 'e';
-  return parse(std::string_view(with_e), value);
-}
-
-std::string shown(std::string_view text, std::size_t most) {
-  std::string result(text.substr(0, most));
-  for (char& c : result) {
-    if (c == '\t') c = ' ';
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
-  }
-  return text.size() > most ? result + "..." : result;
+  return read_real(with_e, value) == NumberToken::number;
 }
 
 }  // namespace nanocarbon::molecule

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "nanocarbon/core/text_numbers.h"
 #include "nanocarbon/molecule/formats/byte_source.h"
 
 namespace nanocarbon::molecule {
@@ -80,8 +81,5 @@ std::string lower_case(std::string_view text);
 bool parse_integer(std::string_view token, std::int64_t& value);
 //! A number and nothing else (finite or not), also with Fortran's exponents, or false.
 bool parse_real(std::string_view token, double& value);
-
-//! What is shown of a text in a message: short, and nothing that upsets a terminal.
-std::string shown(std::string_view text, std::size_t most = 60);
 
 }  // namespace nanocarbon::molecule

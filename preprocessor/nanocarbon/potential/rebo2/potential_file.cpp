@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/potential/rebo2/potential_file.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/core/text_numbers.h"
 
 namespace nanocarbon::rebo2 {
 
@@ -75,9 +75,8 @@ double PotentialFile::number(const char* name) {
   word_.clear();
   words_ >> word_;
   double value = 0.0;
-  const auto [end, error] = std::from_chars(word_.data(), word_.data() + word_.size(), value);
-  // inf and nan are numbers to from_chars.
-  if (error != std::errc() || end != word_.data() + word_.size() || !std::isfinite(value))
+  // inf and nan are numbers to read_real.
+  if (read_real(word_, value) != NumberToken::number || !std::isfinite(value))
     fail("expected a number (" + std::string(name) + "), found '" + word_ + "'");
   return value;
 }
