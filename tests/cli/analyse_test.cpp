@@ -37,6 +37,21 @@ TEST_F(Analyse, C60HasItsBondsRingsTopologyAndPyramidalisation) {
   EXPECT_THAT(table, HasSubstr("orientable, genus 0, Euler characteristic 2, 0 boundary loops"));
 }
 
+// Every King's ring of C60 is a face; ten primitive ones of 18 atoms go around it.
+TEST_F(Analyse, RingsOfSurfacesThatAreSearchedAreCountedPerAtom) {
+  const std::string data = path("c60.data");
+  ASSERT_EQ(run("make fullerene 1 1 -q -o " + data).exit_code, 0);
+  for (const std::string kind : {"king", "primitive"}) {
+    const json rings =
+        json::parse(run("analyse " + data + " --rings " + kind + " --max-ring 18 --json").out)["rings"];
+    EXPECT_EQ(rings["atoms_searched"], 60);
+    EXPECT_EQ(rings["king"]["by_size"], json({{"5", 12}, {"6", 20}}));
+    EXPECT_NEAR(rings["king"]["per_atom"]["5"], 12.0 / 60, 1e-12);
+    EXPECT_EQ(rings["primitive"]["by_size"]["18"], 10);
+    EXPECT_NEAR(rings["primitive"]["per_atom"]["18"], 10.0 / 60, 1e-12);
+  }
+}
+
 TEST_F(Analyse, OfSeveralFramesComparesEachWithTheFirst) {
   const std::string xyz = path("run.xyz"), csv = path("run.csv"), columns = path("columns.xyz");
   std::ofstream(xyz) << "3\n\nC 0 0 0\nC 1.4 0 0\nC 2.8 0 0\n"

@@ -64,10 +64,9 @@ void write_rings(JsonWriter& json, const Pieces& pieces, std::span<const std::in
   json.begin_object();
   write(json, "by_size", counts_json(pieces.ring_counts));
   if (!pieces.king_counts.empty()) {
-    const std::size_t atoms = std::max<std::size_t>(1, pieces.atoms_without_surface);
-    write(json, "atoms_searched", pieces.atoms_without_surface);
-    write(json, "king", statistics_json(pieces.king_counts, atoms));
-    write(json, "primitive", statistics_json(pieces.primitive_counts, atoms));
+    write(json, "atoms_searched", pieces.atoms_searched);
+    write(json, "king", statistics_json(pieces.king_counts, pieces.atoms_searched));
+    write(json, "primitive", statistics_json(pieces.primitive_counts, pieces.atoms_searched));
   }
   if (!pieces.rings_not_counted.empty()) write(json, "not_counted", pieces.rings_not_counted);
   json.key("atoms");
@@ -277,9 +276,8 @@ std::string analysis_table(const Molecule& molecule, std::span<const std::int64_
                                    100 * b.share_with(4)));
   line("rings by size", listed<std::uint64_t>(p.ring_counts));
   if (!p.king_counts.empty()) {
-    const std::size_t atoms = std::max<std::size_t>(1, p.atoms_without_surface);
-    line("King's rings an atom", per_atom(p.king_counts, atoms));
-    line("primitive rings an atom", per_atom(p.primitive_counts, atoms));
+    line("King's rings an atom", per_atom(p.king_counts, p.atoms_searched));
+    line("primitive rings an atom", per_atom(p.primitive_counts, p.atoms_searched));
   }
   if (!p.rings_not_counted.empty()) line("rings", p.rings_not_counted);
   std::vector<std::size_t> order(p.pieces.size());

@@ -108,6 +108,7 @@ void search_rings(const Molecule& molecule, const topology::EmbeddedGraph& graph
         graph.id(*crowded), rows.degree(*crowded));
     return;
   }
+  result.atoms_searched = automatic ? result.atoms_without_surface : molecule.size();
   const RingSearchOptions search{options.max_ring, options.threads};
   RingStatistics king = king_rings(rows, search);
   RingStatistics primitive = primitive_rings(rows, search);

@@ -46,9 +46,10 @@ struct Pieces {
   std::vector<std::uint32_t> of_atom;
   Rings rings;  //!< of all pieces; faces run counter-clockwise seen from outside where there is one
   std::vector<std::uint64_t> ring_counts;  //!< by size; size max_ring + 1
-  //! Of the pieces that are no surface, for comparison with other programs; empty where all are surfaces.
+  //! Of the pieces that were searched: those that are not surfaces, or all if asked for. Empty if none were.
   std::vector<std::uint64_t> king_counts, primitive_counts;
-  std::size_t atoms_without_surface = 0;  //!< in those pieces: what such counts are divided by
+  std::size_t atoms_searched = 0;         //!< in those pieces: what such counts are divided by
+  std::size_t atoms_without_surface = 0;  //!< in the pieces that are not surfaces
   std::string rings_not_counted;  //!< why the rings of pieces without surface are not known; usually empty
 
   bool all_surfaces() const { return atoms_without_surface == 0; }
