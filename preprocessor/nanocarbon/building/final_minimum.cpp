@@ -38,8 +38,11 @@ Descent descend(const annealing::AnnealingLevel& level, double left, potential::
   Molecule molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
   if (options.hydrogen) molecule = molecule::saturated_with_hydrogen(molecule);
   const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance};
-  const minimisation::CellMinimum end =
-      minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
+  minimisation::CellMinimum end;
+  if (molecule.cell)
+    end = minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
+  else
+    end.minimum = minimisation::minimise_molecule(molecule, potential, wanted);
   return {std::move(molecule), end};
 }
 
