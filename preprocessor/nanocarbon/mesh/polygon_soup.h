@@ -24,8 +24,6 @@ struct PolygonSoup {
   std::vector<std::uint32_t> offsets = {
       0};  //!< size faces + 1; face i has corners [offsets[i], offsets[i + 1])
   std::vector<VertexIndex> corners;
-  bool has_vertex_numbers =
-      true;  //!< false for STL: which corners are one vertex is known from coordinates only
   std::vector<std::string> notes;  //!< what the reader passed over or joined, for the user
   std::optional<Cell> cell = {};   //!< that the file says the mesh repeats itself in
 

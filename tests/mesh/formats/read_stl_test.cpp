@@ -53,7 +53,6 @@ std::string as_binary(std::uint32_t count = 2, std::string header = "", float fi
 void expect_two_triangles(const PolygonSoup& soup) {
   EXPECT_THAT(soup.points, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0.5)));
   EXPECT_THAT(soup.corners, ElementsAre(0, 1, 2, 2, 1, 3));
-  EXPECT_FALSE(soup.has_vertex_numbers);
 }
 
 std::string refused(const std::string& contents) {

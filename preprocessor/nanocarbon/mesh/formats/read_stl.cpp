@@ -157,7 +157,6 @@ PolygonSoup read_stl(std::string_view contents, const std::string& file) {
   const CoincidentPoints coincident = coincident_points(soup.points);
   const std::size_t corners = soup.points.size();
   join(soup, coincident);
-  soup.has_vertex_numbers = false;
   if (coincident.duplicates > 0)
     soup.notes.push_back(fmt::format("joined {} STL corners to {} vertices", corners, soup.points.size()));
   return soup;
