@@ -6,33 +6,11 @@
 #include <algorithm>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/edge_table.h"
 
 namespace nanocarbon::annealing {
 
 namespace {
-
-// A side of a triangle, seen from its lower vertex.
-struct Side {
-  VertexIndex low;
-  VertexIndex high;
-  AtomIndex triangle;
-  std::uint8_t slot;
-  bool ascending;
-};
-
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (AtomIndex t = 0; t < mesh.triangles.size(); ++t)
-    for (std::uint8_t s = 0; s < 3; ++s) {
-      const VertexIndex from = mesh.triangles[t][(s + 1) % 3], to = mesh.triangles[t][(s + 2) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), t, s, from < to});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return sides;
-}
 
 void find_ring_starts(TrivalentNetwork& network) {
   for (AtomIndex a = 0; a < network.atoms.size(); ++a)
@@ -81,22 +59,20 @@ TrivalentNetwork trivalent_network(const TriangleMesh& triangulation) {
   network.rings.resize(triangulation.points.size());
   for (const Triangle& t : triangulation.triangles)
     network.atoms.push_back({{no_atom, no_atom, no_atom}, {t[0], t[1], t[2]}});
-  const std::vector<Side> sides = sorted_sides(triangulation);
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t end = i + 1;
-    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
-    const bool paired = end == i + 2 && sides[i].ascending != sides[i + 1].ascending;
-    if (end > i + 1 && !paired)
+  const mesh::EdgeTable edges = mesh::edge_table(mesh::soup_of(triangulation));
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto uses = edges.uses_of(e);
+    if (uses.size() == 1) continue;
+    if (uses.size() > 2 || uses[0].forward == uses[1].forward)
       throw UserError(
           Failure::unsuitable,
           fmt::format("the triangulation is not an oriented 2-manifold at the edge between vertices {} "
                       "and {}: {} triangles meet there. Repair the mesh first.",
-                      sides[i].low, sides[i].high, end - i));
-    if (paired) {
-      network.atoms[sides[i].triangle].neighbour[sides[i].slot] = sides[i + 1].triangle;
-      network.atoms[sides[i + 1].triangle].neighbour[sides[i + 1].slot] = sides[i].triangle;
+                      edges.low[e], edges.high[e], uses.size()));
+    for (const std::size_t i : {0, 1}) {
+      const std::uint32_t opposite = (uses[i].corner + 2) % 3;
+      network.atoms[uses[i].face].neighbour[opposite] = uses[1 - i].face;
     }
-    i = end;
   }
   find_ring_starts(network);
   return network;

@@ -95,4 +95,13 @@ std::size_t drop_unused_points(PolygonSoup& soup) {
   return dropped;
 }
 
+std::size_t drop_unused_points(TriangleMesh& mesh) {
+  PolygonSoup soup = soup_of(mesh);
+  const std::size_t dropped = drop_unused_points(soup);
+  mesh.points = std::move(soup.points);
+  for (std::size_t corner = 0; corner < soup.corners.size(); ++corner)
+    mesh.triangles[corner / 3][corner % 3] = soup.corners[corner];
+  return dropped;
+}
+
 }  // namespace nanocarbon::mesh

@@ -29,5 +29,6 @@ void join(PolygonSoup& soup, const CoincidentPoints& coincident);
 //! \brief Drops the points that no corner uses; the others keep their order.
 //! \return how many were dropped
 std::size_t drop_unused_points(PolygonSoup& soup);
+std::size_t drop_unused_points(TriangleMesh& mesh);
 
 }  // namespace nanocarbon::mesh

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/edge_table.h"
 
 namespace nanocarbon::molecule {
 namespace {
@@ -28,46 +29,19 @@ void check_triangles(const TriangleMesh& mesh) {
   }
 }
 
-Across pair_edges(const TriangleMesh& mesh) {
-  struct Side {
-    VertexIndex high;
-    std::uint32_t corner;
-  };
-  // The sides of all triangles in rows by their lower vertex.
-  const std::size_t sides = 3 * mesh.triangles.size();
-  std::vector<std::uint32_t> start(mesh.points.size() + 1, 0);
-  const auto ends = [&](std::size_t corner) {
-    const Triangle& t = mesh.triangles[corner / 3];
-    return std::minmax(t[corner % 3], t[(corner + 1) % 3]);
-  };
-  for (std::size_t s = 0; s < sides; ++s) ++start[ends(s).first + 1];
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) start[v + 1] += start[v];
-  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-  std::vector<Side> row(sides);
-  for (std::size_t s = 0; s < sides; ++s) {
-    const auto [low, high] = ends(s);
-    row[fill[low]++] = {high, static_cast<std::uint32_t>(s)};
-  }
-
-  Across across(sides, none);
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const auto begin = row.begin() + start[v], end = row.begin() + start[v + 1];
-    std::sort(begin, end, [](const Side& a, const Side& b) {
-      return a.high != b.high ? a.high < b.high : a.corner < b.corner;
-    });
-    for (auto i = begin; i != end;) {
-      auto next = std::find_if(i, end, [&](const Side& s) { return s.high != i->high; });
-      if (next - i > 2)
-        throw UserError(
-            Failure::unsuitable,
-            fmt::format("the edge between vertices {} and {} has {} triangles; a 2-manifold has at most two",
-                        v, i->high, next - i));
-      if (next - i == 2) {
-        across[i[0].corner] = i[1].corner / 3;
-        across[i[1].corner] = i[0].corner / 3;
-      }
-      i = next;
-    }
+Across pair_edges(const TriangleMesh& triangulation) {
+  const mesh::EdgeTable edges = mesh::edge_table(mesh::soup_of(triangulation));
+  Across across(3 * triangulation.triangles.size(), none);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto uses = edges.uses_of(e);
+    if (uses.size() > 2)
+      throw UserError(
+          Failure::unsuitable,
+          fmt::format("the edge between vertices {} and {} has {} triangles; a 2-manifold has at most two",
+                      edges.low[e], edges.high[e], uses.size()));
+    if (uses.size() < 2) continue;
+    across[uses[0].corner] = uses[1].face;
+    across[uses[1].corner] = uses[0].face;
   }
   return across;
 }

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "nanocarbon/core/disjoint_sets.h"
-#include "nanocarbon/shapes/mesh_boundaries.h"
+#include "nanocarbon/mesh/join_points.h"
 
 namespace nanocarbon::shapes {
 namespace {
@@ -75,7 +75,7 @@ TriangleMesh clip_mesh(const TriangleMesh& mesh, const ImplicitShape& keep) {
       clipped.triangles.push_back({t[0], far, near});
     }
   }
-  drop_unused_points(clipped);
+  mesh::drop_unused_points(clipped);
   return clipped;
 }
 
@@ -90,7 +90,7 @@ TriangleMesh largest_component(const TriangleMesh& mesh) {
   component.points = mesh.points;
   for (const Triangle& t : mesh.triangles)
     if (components.find(t[0]) == largest) component.triangles.push_back(t);
-  drop_unused_points(component);
+  mesh::drop_unused_points(component);
   return component;
 }
 

@@ -4,9 +4,20 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "nanocarbon/shapes/mesh_boundaries.h"
+#include "nanocarbon/mesh/edge_table.h"
 
 namespace nanocarbon::shapes {
+namespace {
+
+std::vector<bool> on_boundary(const TriangleMesh& mesh) {
+  std::vector<bool> result(mesh.points.size(), false);
+  const mesh::EdgeTable edges = mesh::edge_table(mesh::soup_of(mesh));
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges.uses_of(e).size() == 1) result[edges.low[e]] = result[edges.high[e]] = true;
+  return result;
+}
+
+}  // namespace
 
 Vec3 onto_surface(const ImplicitShape& shape, Vec3 point, double edge) {
   for (int step = 0; step < 8; ++step) {
@@ -20,7 +31,7 @@ Vec3 onto_surface(const ImplicitShape& shape, Vec3 point, double edge) {
 }
 
 void even_out(TriangleMesh& mesh, const ImplicitShape& shape, double edge, int rounds) {
-  const ManifoldCheck check = check_manifold(mesh);
+  const std::vector<bool> stays = on_boundary(mesh);
   for (int round = 0; round < rounds; ++round) {
     std::vector<Vec3> sum(mesh.points.size(), Vec3::Zero());
     std::vector<int> count(mesh.points.size(), 0);
@@ -31,8 +42,7 @@ void even_out(TriangleMesh& mesh, const ImplicitShape& shape, double edge, int r
         count[t[c]] += 2;
       }
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
-      if (!check.on_boundary[v] && count[v] > 0)
-        mesh.points[v] = onto_surface(shape, sum[v] / count[v], edge);
+      if (!stays[v] && count[v] > 0) mesh.points[v] = onto_surface(shape, sum[v] / count[v], edge);
   }
 }
 

@@ -8,9 +8,9 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/random_stream.h"
+#include "nanocarbon/mesh/join_points.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
-#include "nanocarbon/shapes/mesh_boundaries.h"
 #include "nanocarbon/shapes/polygonise_in_cell.h"
 
 namespace nanocarbon::shapes {
@@ -78,7 +78,7 @@ void keep_components(TriangleMesh& mesh, const std::vector<bool>& kept, const me
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (kept[topology.component_of_face[t]]) triangles.push_back(mesh.triangles[t]);
   mesh.triangles = std::move(triangles);
-  drop_unused_points(mesh);
+  mesh::drop_unused_points(mesh);
 }
 
 }  // namespace

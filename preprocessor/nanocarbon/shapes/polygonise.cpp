@@ -9,8 +9,9 @@
 #include <unordered_map>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/join_points.h"
+#include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/shapes/even_out.h"
-#include "nanocarbon/shapes/mesh_boundaries.h"
 
 namespace nanocarbon::shapes {
 namespace {
@@ -176,7 +177,7 @@ class Marcher {
   TriangleMesh finish() {
     for (const Triangle& face : faces_)
       if (!faces_.contains(rotated({face[0], face[2], face[1]}))) mesh_.triangles.push_back(face);
-    drop_unused_points(mesh_);
+    mesh::drop_unused_points(mesh_);
     return std::move(mesh_);
   }
 
@@ -244,6 +245,11 @@ TriangleMesh march(const Lattice& lattice, const Samples& samples) {
   return marcher.finish();
 }
 
+bool is_oriented_manifold(const TriangleMesh& mesh) {
+  const mesh::MeshTopology topology = mesh::mesh_topology(mesh);
+  return topology.manifold() && topology.consistently_wound();
+}
+
 }  // namespace
 
 TriangleMesh polygonise(const ImplicitShape& shape, const Vec3& low, const Vec3& high, double edge) {
@@ -256,7 +262,7 @@ TriangleMesh polygonise(const ImplicitShape& shape, const Vec3& low, const Vec3&
   const Samples as_sampled = samples;
   snap(lattice, samples);
   TriangleMesh mesh = march(lattice, samples);
-  if (!check_manifold(mesh).manifold) mesh = march(lattice, as_sampled);
+  if (!is_oriented_manifold(mesh)) mesh = march(lattice, as_sampled);
   if (mesh.triangles.empty())
     throw UserError(Failure::usage, "the edge is too long to show the shape; use a shorter one");
   even_out(mesh, shape, edge, 8);

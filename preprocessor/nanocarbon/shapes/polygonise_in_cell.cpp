@@ -10,7 +10,6 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/shapes/even_out.h"
-#include "nanocarbon/shapes/mesh_boundaries.h"
 
 namespace nanocarbon::shapes {
 namespace {

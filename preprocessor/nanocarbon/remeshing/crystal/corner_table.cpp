@@ -3,41 +3,18 @@
 
 #include <algorithm>
 
+#include "nanocarbon/mesh/edge_table.h"
+
 namespace nanocarbon::crystal {
-namespace {
-
-//! Twins of all half-edges, by sorting the edges' keys.
-std::vector<HalfEdgeIndex> pair_half_edges(const std::vector<VertexIndex>& origin) {
-  struct Key {
-    VertexIndex low, high;
-    HalfEdgeIndex h;
-    bool same_edge(const Key& other) const { return low == other.low && high == other.high; }
-  };
-  std::vector<Key> keys(origin.size());
-  for (HalfEdgeIndex h = 0; h < origin.size(); ++h) {
-    const VertexIndex a = origin[h];
-    const VertexIndex b = origin[CornerTable::next(h)];
-    keys[h] = {std::min(a, b), std::max(a, b), h};
-  }
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.h < b.h;
-  });
-  std::vector<HalfEdgeIndex> twin(origin.size(), no_half_edge);
-  for (std::size_t k = 1; k < keys.size(); ++k)
-    if (keys[k].same_edge(keys[k - 1])) {
-      twin[keys[k].h] = keys[k - 1].h;
-      twin[keys[k - 1].h] = keys[k].h;
-    }
-  return twin;
-}
-
-}  // namespace
 
 CornerTable::CornerTable(const TriangleMesh& mesh)
     : outgoing_(mesh.points.size(), no_half_edge), valence_(mesh.points.size(), 0) {
   origin_.reserve(3 * mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) origin_.insert(origin_.end(), t.begin(), t.end());
-  twin_ = pair_half_edges(origin_);
+  twin_.assign(origin_.size(), no_half_edge);
+  const mesh::EdgeTable edges = mesh::edge_table(mesh::soup_of(mesh));
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (const auto uses = edges.uses_of(e); uses.size() > 1) link(uses[0].corner, uses[1].corner);
   live_triangles_ = mesh.triangles.size();
   for (HalfEdgeIndex h = 0; h < origin_.size(); ++h) {
     HalfEdgeIndex& out = outgoing_[origin_[h]];
