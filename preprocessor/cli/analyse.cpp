@@ -77,10 +77,10 @@ class Analyser {
       options_.potential = potential_.get();
     }
     distances_.carbon_carbon = command.carbon_carbon;
-    options_.pieces.max_ring = command.max_ring;
-    options_.pieces.threads = command.threads;
-    if (command.rings == "king") options_.pieces.rings = analysis::RingChoice::king;
-    if (command.rings == "primitive") options_.pieces.rings = analysis::RingChoice::primitive;
+    options_.components.max_ring = command.max_ring;
+    options_.components.threads = command.threads;
+    if (command.rings == "king") options_.components.rings = analysis::RingChoice::king;
+    if (command.rings == "primitive") options_.components.rings = analysis::RingChoice::primitive;
   }
 
   void run(std::ostream* xyz) {
@@ -116,7 +116,7 @@ class Analyser {
     findings.analysis = analysis::analyse(frame.molecule, frame.ids, options_);
     if (!start_) {
       start_ = bonds;
-      start_surface_ = findings.analysis.pieces.surface;
+      start_surface_ = findings.analysis.components.surface;
       compare_with_listed(listed, frame.molecule.bonds);
     }
     analysis::FrameSummary summary = analysis::summarise(frame.molecule, findings.analysis);
@@ -124,7 +124,7 @@ class Analyser {
     summary.frame = number;
     summary.step = frame.step;
     summary.change =
-        analysis::compare_frames(*start_, start_surface_, bonds, findings.analysis.pieces.surface);
+        analysis::compare_frames(*start_, start_surface_, bonds, findings.analysis.components.surface);
     const std::vector<analysis::AtomFate> fates = analysis::atom_fates(frame.ids, summary.change);
     if (command_.page)
       findings.page_frames.offer(

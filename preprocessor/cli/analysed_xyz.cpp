@@ -11,13 +11,13 @@ namespace {
 std::string sizes_of_rings(const analysis::Analysis& analysis, AtomIndex atom) {
   std::string text;
   for (const std::uint32_t r : analysis.rings_of_atoms.of(atom))
-    text += fmt::format("{}{}", text.empty() ? "" : "-", analysis.pieces.rings[r].size());
+    text += fmt::format("{}{}", text.empty() ? "" : "-", analysis.components.rings[r].size());
   return text.empty() ? "-" : text;
 }
 
 std::size_t smallest_ring(const analysis::Analysis& analysis, AtomIndex atom) {
   const auto rings = analysis.rings_of_atoms.of(atom);
-  return rings.empty() ? 0 : analysis.pieces.rings[rings.front()].size();
+  return rings.empty() ? 0 : analysis.components.rings[rings.front()].size();
 }
 
 std::string comment(const Molecule& molecule, bool energies, const std::string& generator) {
@@ -59,7 +59,7 @@ void write_analysed_xyz(std::ostream& out, const Molecule& molecule, std::span<c
     const analysis::AtomGeometry& g = analysis.geometry;
     text.print("{} {} {} {} {} {} {} {} {} {} {} {:.4f} {:.6f} {:.7f}", symbol(molecule.elements[a]), p.x(),
                p.y(), p.z(), ids[a], analysis.rows.degree(a), smallest_ring(analysis, a),
-               sizes_of_rings(analysis, a), analysis.pieces.of_atom[a] + 1, static_cast<int>(fates[a]),
+               sizes_of_rings(analysis, a), analysis.components.of_atom[a] + 1, static_cast<int>(fates[a]),
                defect[a], g.pyramidalisation[a], g.mean_curvature[a], g.gaussian_curvature[a]);
     if (energies) text.print(" {:.8f}", analysis.atom_energies[a]);
     text.print("\n");

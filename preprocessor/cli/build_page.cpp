@@ -40,7 +40,7 @@ page::PageContents build_page(const BuildCommand& command, const building::Build
   }
   const auto potential = building::make_potential(command.build.potential);
   analysis::AnalyseOptions options;
-  options.pieces.threads = command.common.threads;
+  options.components.threads = command.common.threads;
   options.potential = potential.get();
   std::vector<std::int64_t> ids(result.molecule.size());
   std::iota(ids.begin(), ids.end(), 1);

@@ -60,11 +60,11 @@ Json findings_json(const mesh::MeshDiagnosis& diagnosis, mesh::Severity wanted) 
 
 Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-// Pieces with so small a share of the area are hardly meant to be molecules.
+// Components with so small a share of the area are hardly meant to be molecules.
 constexpr double share_of_specks = 1e-3;
 
 std::size_t specks_of(const mesh::LoadedSurface& surface) {
-  const std::vector<double> areas = mesh::piece_areas(surface.mesh);
+  const std::vector<double> areas = mesh::component_areas(surface.mesh);
   const double least = share_of_specks * std::accumulate(areas.begin(), areas.end(), 0.0);
   return static_cast<std::size_t>(
       std::count_if(areas.begin(), areas.end(), [&](double a) { return a < least; }));
@@ -107,12 +107,12 @@ void print_cell(const Inspection& inspection) {
   }
   const mesh::MeshTopology t = mesh::mesh_topology(*inspection.in_cell);
   constexpr const char* kinds[] = {"a bubble", "a tube", "a sheet", "a network"};
-  std::string pieces;
+  std::string components;
   for (const int rank : mesh::wrapping_ranks(*inspection.in_cell, t))
-    pieces += fmt::format("{}{}", pieces.empty() ? "" : ", ", kinds[rank]);
+    components += fmt::format("{}{}", components.empty() ? "" : ", ", kinds[rank]);
   line("in the cell",
        fmt::format("{} piece(s) ({}), {} boundary loops, genus {} (Euler characteristic {}), area {:.6g}",
-                   t.components, pieces, t.boundary_loops, t.genus, t.euler_characteristic,
+                   t.components, components, t.boundary_loops, t.genus, t.euler_characteristic,
                    mesh::area(*inspection.in_cell)));
 }
 

@@ -132,14 +132,14 @@ Analysed analyse(Molecule molecule, double form, const std::string& rings, int m
                  const std::string& potential, unsigned threads) {
   analysis::AnalyseOptions options;
   if (rings == "king")
-    options.pieces.rings = analysis::RingChoice::king;
+    options.components.rings = analysis::RingChoice::king;
   else if (rings == "primitive")
-    options.pieces.rings = analysis::RingChoice::primitive;
+    options.components.rings = analysis::RingChoice::primitive;
   else if (rings != "auto")
     throw py::value_error("rings are 'auto', 'king' or 'primitive'");
   if (max_ring < 3 || max_ring > 64) throw py::value_error("max_ring must be 3 to 64");
-  options.pieces.max_ring = max_ring;
-  options.pieces.threads = threads;
+  options.components.max_ring = max_ring;
+  options.components.threads = threads;
   const auto energies = potential == "none" ? nullptr : potential_named(potential);
   options.potential = energies.get();
   py::gil_scoped_release release;
@@ -157,7 +157,7 @@ Analysed analyse(Molecule molecule, double form, const std::string& rings, int m
   json.end();
   json.flush();
   result.report = std::move(report).str();
-  molecule.rings = result.found.pieces.rings;
+  molecule.rings = result.found.components.rings;
   result.molecule = std::move(molecule);
   return result;
 }
@@ -171,12 +171,12 @@ py::dict columns_of(const Analysed& analysed) {
     const auto rings = a.rings_of_atoms.of(i);
     coordination.mutable_at(i) = static_cast<std::int64_t>(a.rows.degree(i));
     smallest.mutable_at(i) =
-        rings.empty() ? 0 : static_cast<std::int64_t>(a.pieces.rings[rings.front()].size());
+        rings.empty() ? 0 : static_cast<std::int64_t>(a.components.rings[rings.front()].size());
   }
   py::dict columns;
   columns["coordination"] = coordination;
   columns["smallest_ring"] = smallest;
-  columns["piece"] = copy_of<std::uint32_t>(a.pieces.of_atom);
+  columns["piece"] = copy_of<std::uint32_t>(a.components.of_atom);
   columns["pyramidalisation"] = copy_of<double>(a.geometry.pyramidalisation);
   columns["mean_curvature"] = copy_of<double>(a.geometry.mean_curvature);
   columns["gaussian_curvature"] = copy_of<double>(a.geometry.gaussian_curvature);

@@ -21,7 +21,7 @@ std::vector<std::int64_t> numbered(const Molecule& molecule) {
   return ids;
 }
 
-analysis::Analysis analysed(const Molecule& molecule, const analysis::PieceOptions& options) {
+analysis::Analysis analysed(const Molecule& molecule, const analysis::ComponentOptions& options) {
   return analysis::analyse(molecule, numbered(molecule), {options, nullptr});
 }
 

@@ -12,7 +12,7 @@ Molecule bonded(Molecule molecule);
 std::vector<std::int64_t> numbered(const Molecule& molecule);
 
 //! Of a molecule with bonds.
-analysis::Analysis analysed(const Molecule& molecule, const analysis::PieceOptions& options = {});
+analysis::Analysis analysed(const Molecule& molecule, const analysis::ComponentOptions& options = {});
 
 //! A periodic sheet with the bond of its middle turned by a right angle, as by Stone and Wales.
 Molecule graphene_with_turned_bond(int cells_x, int cells_y);

@@ -42,7 +42,7 @@ TEST(Defects, ATurnedBondIsAStoneWalesDefectWhereItWasTurned) {
   EXPECT_THAT(defect.ring_sizes, ElementsAre(5, 5, 7, 7));
   EXPECT_EQ(defect.atoms.size(), 16u);  // of four hexagons around one bond
   EXPECT_LT((defect.position - middle(turned)).norm(), 2.0);
-  EXPECT_TRUE(analysis.pieces.all_surfaces());
+  EXPECT_TRUE(analysis.components.all_surfaces());
 }
 
 TEST(Defects, IsolatedPentagonsOfALargeFullereneAreOneDefectEach) {
@@ -67,30 +67,30 @@ TEST(Defects, AnAtomAcrossABondIsAnAdatom) {
   molecule.positions.push_back(molecule.positions[a] + half + Vec3(0, 0, 1.3));
   molecule.elements.push_back(Element::carbon);
   const Analysis analysis = test::analysed(test::bonded(molecule));
-  EXPECT_FALSE(analysis.pieces.all_surfaces());  // two carbons have four neighbours
+  EXPECT_FALSE(analysis.components.all_surfaces());  // two carbons have four neighbours
   EXPECT_EQ(kinds(analysis)["adatom"], 1);
-  EXPECT_EQ(analysis.pieces.ring_counts[6], molecule.size() / 2);  // King's rings still find the hexagons
-  EXPECT_EQ(analysis.pieces.ring_counts[3], 1u);
+  EXPECT_EQ(analysis.components.ring_counts[6], molecule.size() / 2);  // King's rings still find the hexagons
+  EXPECT_EQ(analysis.components.ring_counts[3], 1u);
 }
 
 // Rings by hand, bonded along themselves.
 std::map<std::string, int> kinds_of_rings(const std::vector<std::vector<AtomIndex>>& rings) {
   Molecule molecule;
-  Pieces pieces;
+  MoleculeComponents components;
   for (const auto& ring : rings) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const auto [low, high] = std::minmax(ring[k], ring[(k + 1) % ring.size()]);
       molecule.bonds.push_back({low, high});
       if (high >= molecule.size()) molecule.positions.resize(high + 1, Vec3::Zero());
     }
-    pieces.rings.atoms.insert(pieces.rings.atoms.end(), ring.begin(), ring.end());
-    pieces.rings.offsets.push_back(static_cast<std::uint32_t>(pieces.rings.atoms.size()));
+    components.rings.atoms.insert(components.rings.atoms.end(), ring.begin(), ring.end());
+    components.rings.offsets.push_back(static_cast<std::uint32_t>(components.rings.atoms.size()));
   }
   molecule.elements.assign(molecule.size(), Element::carbon);
   std::sort(molecule.bonds.begin(), molecule.bonds.end());
   molecule.bonds.erase(std::unique(molecule.bonds.begin(), molecule.bonds.end()), molecule.bonds.end());
   std::map<std::string, int> result;
-  for (const Defect& defect : find_defects(molecule, bond_rows(molecule), pieces)) ++result[defect.kind];
+  for (const Defect& defect : find_defects(molecule, bond_rows(molecule), components)) ++result[defect.kind];
   return result;
 }
 
@@ -129,19 +129,19 @@ TEST(Defects, TwoSheetsPulledTogetherAtOneAtomAreCrosslinked) {
   EXPECT_THAT(found->atoms, ElementsAre(a, a + lower.size()));
 }
 
-TEST(Pieces, AFaultyPieceDoesNotHideTheSurfaceOfAnother) {
+TEST(MoleculeComponents, AFaultyPieceDoesNotHideTheSurfaceOfAnother) {
   Molecule molecule = test::bonded(structures::fullerene(1, 1));
   Molecule far = test::bonded(structures::diamond(1, 1, 1));
   far.cell.reset();
   for (Vec3& p : far.positions) p.x() += 30.0;
   structures::append(molecule, test::bonded(far));
   const Analysis analysis = test::analysed(test::bonded(molecule));
-  ASSERT_GE(analysis.pieces.pieces.size(), 2u);
-  EXPECT_TRUE(analysis.pieces.surface.problem);
-  EXPECT_TRUE(analysis.pieces.pieces[0].is_surface());
-  EXPECT_EQ(analysis.pieces.pieces[0].topology.euler_characteristic(), 2);
-  EXPECT_FALSE(analysis.pieces.pieces[1].is_surface());
-  EXPECT_EQ(analysis.pieces.ring_counts[5], 12u);
+  ASSERT_GE(analysis.components.list.size(), 2u);
+  EXPECT_TRUE(analysis.components.surface.problem);
+  EXPECT_TRUE(analysis.components.list[0].is_surface());
+  EXPECT_EQ(analysis.components.list[0].topology.euler_characteristic(), 2);
+  EXPECT_FALSE(analysis.components.list[1].is_surface());
+  EXPECT_EQ(analysis.components.ring_counts[5], 12u);
 }
 
 }  // namespace

@@ -184,9 +184,9 @@ TEST(RingSearch, RingsAreCyclesOfBondedAtomsAndDoNotDependOnThreads) {
 TEST(RingSearch, FacesOfASurfaceAreItsKingsRings) {
   const Molecule crystal = test::bonded(structures::schwarzite_d688(2, 2, 2));
   const Analysis faces = test::analysed(crystal);
-  ASSERT_TRUE(faces.pieces.all_surfaces());
+  ASSERT_TRUE(faces.components.all_surfaces());
   const Counts found = counts(king_rings(faces.rows));
-  for (const std::size_t size : {6u, 8u}) EXPECT_EQ(found.at(size), faces.pieces.ring_counts[size]);
+  for (const std::size_t size : {6u, 8u}) EXPECT_EQ(found.at(size), faces.components.ring_counts[size]);
 }
 
 TEST(RingSearch, CrowdedAtomsAreSaidNotSearched) {
@@ -194,8 +194,8 @@ TEST(RingSearch, CrowdedAtomsAreSaidNotSearched) {
   for (int i = 0; i < 30; ++i) heap.positions.push_back(Vec3(0.05 * i, 0.0, 0.0));
   heap.elements.assign(30, Element::carbon);
   const Analysis analysis = test::analysed(test::bonded(heap));
-  EXPECT_THAT(analysis.pieces.rings_not_counted, testing::HasSubstr("atom ID 1 has 29 bonds"));
-  EXPECT_EQ(analysis.pieces.pieces[0].rings, RingKind::none);
+  EXPECT_THAT(analysis.components.rings_not_counted, testing::HasSubstr("atom ID 1 has 29 bonds"));
+  EXPECT_EQ(analysis.components.list[0].rings, RingKind::none);
 }
 
 }  // namespace

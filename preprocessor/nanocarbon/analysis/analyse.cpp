@@ -6,12 +6,13 @@
 namespace nanocarbon::analysis {
 namespace {
 
-// Atoms of pieces whose faces run the same way round everywhere.
-std::vector<std::uint8_t> oriented_atoms(const Molecule& molecule, const Pieces& pieces) {
+// Atoms of components whose faces run the same way round everywhere.
+std::vector<std::uint8_t> oriented_atoms(const Molecule& molecule, const MoleculeComponents& components) {
   std::vector<std::uint8_t> oriented(molecule.size(), 0);
   for (AtomIndex a = 0; a < molecule.size(); ++a) {
-    const Piece& piece = pieces.pieces[pieces.of_atom[a]];
-    oriented[a] = piece.is_surface() && piece.rings == RingKind::faces && piece.topology.orientable;
+    const MoleculeComponent& component = components.list[components.of_atom[a]];
+    oriented[a] =
+        component.is_surface() && component.rings == RingKind::faces && component.topology.orientable;
   }
   return oriented;
 }
@@ -37,15 +38,15 @@ Analysis analyse(const Molecule& molecule, std::span<const std::int64_t> ids, co
   constexpr double angle_bin = 1.0, mean_bin = 0.005, gaussian_bin = 0.0005;
   Analysis result;
   result.rows = bond_rows(molecule);
-  result.pieces = find_pieces(molecule, ids, options.pieces);
+  result.components = find_components(molecule, ids, options.components);
   result.bonds = bond_distributions(molecule, result.rows);
-  result.rings_of_atoms = rings_of_atoms(molecule.size(), result.pieces.rings);
-  result.geometry =
-      atom_geometry(molecule, result.rows, result.pieces.rings, oriented_atoms(molecule, result.pieces));
+  result.rings_of_atoms = rings_of_atoms(molecule.size(), result.components.rings);
+  result.geometry = atom_geometry(molecule, result.rows, result.components.rings,
+                                  oriented_atoms(molecule, result.components));
   result.pyramidalisation = distribution(result.geometry.pyramidalisation, angle_bin);
   result.mean_curvature = distribution(result.geometry.mean_curvature, mean_bin);
   result.gaussian_curvature = distribution(result.geometry.gaussian_curvature, gaussian_bin);
-  result.defects = find_defects(molecule, result.rows, result.pieces);
+  result.defects = find_defects(molecule, result.rows, result.components);
   if (options.potential && molecule.size() > 0) {
     const potential::Evaluation& evaluation =
         options.potential->evaluate(molecule.positions, molecule.elements,

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "nanocarbon/analysis/atom_geometry.h"
+#include "nanocarbon/analysis/components.h"
 #include "nanocarbon/analysis/defects.h"
 #include "nanocarbon/analysis/distributions.h"
 #include "nanocarbon/analysis/frame_comparison.h"
-#include "nanocarbon/analysis/pieces.h"
 #include "nanocarbon/potential/potential.h"
 
 namespace nanocarbon::analysis {
 
 struct AnalyseOptions {
-  PieceOptions pieces;
+  ComponentOptions components;
   //! Evaluates energies; nullptr: they are left out.
   potential::Potential* potential = nullptr;
 };
@@ -24,7 +24,7 @@ struct AnalyseOptions {
 //! The rings that pass each atom, in compressed rows.
 struct RingsOfAtoms {
   std::vector<std::uint32_t> offsets;  //!< size atoms + 1
-  std::vector<std::uint32_t> rings;    //!< indices into Pieces::rings, by size and then index
+  std::vector<std::uint32_t> rings;    //!< indices into MoleculeComponents::rings, by size and then index
   std::span<const std::uint32_t> of(AtomIndex atom) const {
     return {rings.data() + offsets[atom], rings.data() + offsets[atom + 1]};
   }
@@ -34,7 +34,7 @@ RingsOfAtoms rings_of_atoms(std::size_t atoms, const Rings& rings);
 
 //! What there is to say of one frame.
 struct Analysis {
-  Pieces pieces;
+  MoleculeComponents components;
   BondDistributions bonds;
   BondRows rows;  //!< of all bonds
   RingsOfAtoms rings_of_atoms;

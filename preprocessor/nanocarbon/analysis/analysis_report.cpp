@@ -59,39 +59,42 @@ Json statistics_json(std::span<const std::uint64_t> counts, std::size_t atoms) {
   return {{"by_size", counts_json(counts)}, {"per_atom", per_atom}};
 }
 
-void write_rings(JsonWriter& json, const Pieces& pieces, std::span<const std::int64_t> ids) {
+void write_rings(JsonWriter& json, const MoleculeComponents& components, std::span<const std::int64_t> ids) {
   json.key("rings");
   json.begin_object();
-  write(json, "by_size", counts_json(pieces.ring_counts));
-  if (!pieces.king_counts.empty()) {
-    write(json, "atoms_searched", pieces.atoms_searched);
-    write(json, "king", statistics_json(pieces.king_counts, pieces.atoms_searched));
-    write(json, "primitive", statistics_json(pieces.primitive_counts, pieces.atoms_searched));
+  write(json, "by_size", counts_json(components.ring_counts));
+  if (!components.king_counts.empty()) {
+    write(json, "atoms_searched", components.atoms_searched);
+    write(json, "king", statistics_json(components.king_counts, components.atoms_searched));
+    write(json, "primitive", statistics_json(components.primitive_counts, components.atoms_searched));
   }
-  if (!pieces.rings_not_counted.empty()) write(json, "not_counted", pieces.rings_not_counted);
+  if (!components.rings_not_counted.empty()) write(json, "not_counted", components.rings_not_counted);
   json.key("atoms");
   json.begin_list();
   NamedLists lists(json, ids);
-  for (std::size_t r = 0; r < pieces.rings.size(); ++r) lists.write(pieces.rings[r]);
+  for (std::size_t r = 0; r < components.rings.size(); ++r) lists.write(components.rings[r]);
   json.end();
   json.end();
 }
 
-void write_pieces(JsonWriter& json, const Pieces& pieces, std::span<const std::int64_t> ids) {
+void write_components(JsonWriter& json, const MoleculeComponents& components,
+                      std::span<const std::int64_t> ids) {
   json.key("pieces");
   json.begin_list();
-  for (const Piece& piece : pieces.pieces) {
-    Json item = {{"atoms", piece.atoms}, {"first_atom", ids[piece.first]}, {"surface", piece.is_surface()}};
-    if (piece.is_surface()) {
-      item["has_rings"] = piece.topology.has_rings;
-      item["euler_characteristic"] = piece.topology.euler_characteristic();
-      item["orientable"] = piece.topology.orientable;
-      item["genus"] = piece.topology.genus;
-      item["boundary_loops"] = piece.topology.boundary_loops;
+  for (const MoleculeComponent& component : components.list) {
+    Json item = {{"atoms", component.atoms},
+                 {"first_atom", ids[component.first]},
+                 {"surface", component.is_surface()}};
+    if (component.is_surface()) {
+      item["has_rings"] = component.topology.has_rings;
+      item["euler_characteristic"] = component.topology.euler_characteristic();
+      item["orientable"] = component.topology.orientable;
+      item["genus"] = component.topology.genus;
+      item["boundary_loops"] = component.topology.boundary_loops;
     } else {
-      item["reason"] = piece.not_a_surface;
+      item["reason"] = component.not_a_surface;
     }
-    item["rings"] = name(piece.rings);
+    item["rings"] = name(component.rings);
     json.value(item);
   }
   json.end();
@@ -152,13 +155,13 @@ std::string per_atom(std::span<const std::uint64_t> counts, std::size_t atoms) {
   return text.empty() ? "none" : text;
 }
 
-std::string topology_text(const Piece& piece) {
-  if (!piece.is_surface()) return "no surface: " + piece.not_a_surface;
-  if (!piece.topology.has_rings) return "no rings";
+std::string topology_text(const MoleculeComponent& component) {
+  if (!component.is_surface()) return "no surface: " + component.not_a_surface;
+  if (!component.topology.has_rings) return "no rings";
   return fmt::format("{}, genus {}, Euler characteristic {}, {} boundary loop{}",
-                     piece.topology.orientable ? "orientable" : "one-sided", piece.topology.genus,
-                     piece.topology.euler_characteristic(), piece.topology.boundary_loops,
-                     piece.topology.boundary_loops == 1 ? "" : "s");
+                     component.topology.orientable ? "orientable" : "one-sided", component.topology.genus,
+                     component.topology.euler_characteristic(), component.topology.boundary_loops,
+                     component.topology.boundary_loops == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -167,8 +170,8 @@ FrameSummary summarise(const Molecule& molecule, const Analysis& analysis) {
   FrameSummary frame;
   frame.atoms = molecule.size();
   frame.bonds = molecule.bonds.size();
-  frame.pieces = analysis.pieces.pieces.size();
-  frame.ring_counts = analysis.pieces.ring_counts;
+  frame.components = analysis.components.list.size();
+  frame.ring_counts = analysis.components.ring_counts;
   for (std::size_t k = 0; k < 3; ++k) frame.hybridisation[k] = analysis.bonds.share_with(k + 2);
   frame.bond_mean = analysis.bonds.carbon_carbon.spread.mean;
   frame.defects = analysis.defects.size();
@@ -179,7 +182,7 @@ FrameSummary summarise(const Molecule& molecule, const Analysis& analysis) {
 void write_analysis_json(JsonWriter& json, const Molecule& molecule, std::span<const std::int64_t> ids,
                          const Analysis& analysis) {
   const BondDistributions& b = analysis.bonds;
-  const Pieces& p = analysis.pieces;
+  const MoleculeComponents& p = analysis.components;
   write(json, "atoms", molecule.size());
   write(json, "carbons", b.carbons);
   write(json, "hydrogens", b.hydrogens);
@@ -204,7 +207,7 @@ void write_analysis_json(JsonWriter& json, const Molecule& molecule, std::span<c
     write(json, "boundary_loops", p.surface.boundary_loops);
   }
   write_rings(json, p, ids);
-  write_pieces(json, p, ids);
+  write_components(json, p, ids);
   write_defects(json, analysis.defects, ids);
   write(json, "pyramidalisation", distribution_json(analysis.pyramidalisation));
   write(json, "mean_curvature", distribution_json(analysis.mean_curvature));
@@ -234,7 +237,7 @@ void write_frame_json(JsonWriter& json, const FrameSummary& frame) {
   if (frame.step) write(json, "step", *frame.step);
   write(json, "atoms", frame.atoms);
   write(json, "bonds", frame.bonds);
-  write(json, "pieces", frame.pieces);
+  write(json, "pieces", frame.components);
   write(json, "rings", counts_json(frame.ring_counts));
   write(json, "defects", frame.defects);
   write(json, "mean_bond", frame.bond_mean);
@@ -253,7 +256,7 @@ std::string analysis_table(const Molecule& molecule, std::span<const std::int64_
                            const Analysis& analysis) {
   constexpr std::size_t most_lines = 8;
   const BondDistributions& b = analysis.bonds;
-  const Pieces& p = analysis.pieces;
+  const MoleculeComponents& p = analysis.components;
   std::string table;
   const auto line = [&](std::string_view title, const std::string& value) {
     table += fmt::format("  {:<26}{}\n", title, value);
@@ -280,15 +283,15 @@ std::string analysis_table(const Molecule& molecule, std::span<const std::int64_
     line("primitive rings an atom", per_atom(p.primitive_counts, p.atoms_searched));
   }
   if (!p.rings_not_counted.empty()) line("rings", p.rings_not_counted);
-  std::vector<std::size_t> order(p.pieces.size());
+  std::vector<std::size_t> order(p.list.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t x, std::size_t y) { return p.pieces[x].atoms > p.pieces[y].atoms; });
-  line("pieces", std::to_string(p.pieces.size()));
+                   [&](std::size_t x, std::size_t y) { return p.list[x].atoms > p.list[y].atoms; });
+  line("pieces", std::to_string(p.list.size()));
   for (std::size_t k = 0; k < std::min(order.size(), most_lines); ++k) {
-    const Piece& piece = p.pieces[order[k]];
-    line(fmt::format("  from atom ID {}", ids[piece.first]),
-         fmt::format("{} atoms; {}", piece.atoms, topology_text(piece)));
+    const MoleculeComponent& component = p.list[order[k]];
+    line(fmt::format("  from atom ID {}", ids[component.first]),
+         fmt::format("{} atoms; {}", component.atoms, topology_text(component)));
   }
   if (order.size() > most_lines) line("  ...", fmt::format("and {} smaller ones", order.size() - most_lines));
   line("defects", std::to_string(analysis.defects.size()));
@@ -326,7 +329,7 @@ std::string frames_csv(std::span<const FrameSummary> frames) {
       file = quoted + "\"";
     }
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},", file, f.frame,
-                        f.step ? std::to_string(*f.step) : "", f.atoms, f.bonds, f.pieces,
+                        f.step ? std::to_string(*f.step) : "", f.atoms, f.bonds, f.components,
                         topology::name(f.change.verdict), f.change.changes.broken.size(),
                         f.change.changes.formed.size(), f.change.repelled.size(), f.change.lost.size(),
                         f.hybridisation[0], f.hybridisation[1], f.hybridisation[2]);

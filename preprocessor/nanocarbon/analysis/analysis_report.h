@@ -14,7 +14,7 @@ struct FrameSummary {
   std::string file;
   std::size_t frame = 0;             //!< within the file, from 0
   std::optional<std::int64_t> step;  //!< where the file says
-  std::size_t atoms = 0, bonds = 0, pieces = 0;
+  std::size_t atoms = 0, bonds = 0, components = 0;
   FrameChange change;                        //!< since the first frame of all
   std::vector<std::uint64_t> ring_counts;    //!< by size
   std::array<double, 3> hybridisation = {};  //!< shares of sp, sp2, sp3

@@ -25,7 +25,7 @@ struct AtomGeometry {
 };
 
 //! \param rings of a surface, counter-clockwise seen from outside: they tell it
-//! \param oriented of each atom, whether its rings do (those of a one-sided piece, or found by a search, do not)
+//! \param oriented of each atom, whether its rings do (those of a one-sided component, or found by a search, do not)
 AtomGeometry atom_geometry(const Molecule& molecule, const BondRows& rows, const Rings& rings,
                            std::span<const std::uint8_t> oriented);
 

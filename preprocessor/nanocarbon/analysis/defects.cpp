@@ -187,25 +187,26 @@ void add_single_atoms(const Molecule& molecule, const BondRows& rows, std::vecto
   }
 }
 
-void add_crosslinks(const Molecule& molecule, const BondRows& rows, const Pieces& pieces,
+void add_crosslinks(const Molecule& molecule, const BondRows& rows, const MoleculeComponents& components,
                     std::vector<Defect>& defects) {
-  if (pieces.all_surfaces()) return;  // no carbon of a surface has four
-  const std::vector<std::uint64_t> inside = bonds_on_small_rings(pieces.rings);
+  if (components.all_surfaces()) return;  // no carbon of a surface has four
+  const std::vector<std::uint64_t> inside = bonds_on_small_rings(components.rings);
   for (const Bond& bond : molecule.bonds)
     if (rows.degree(bond.first) == 4 && rows.degree(bond.second) == 4 && bond.first != bond.second &&
         molecule.elements[bond.first] == Element::carbon &&
         molecule.elements[bond.second] == Element::carbon &&
-        pieces.pieces[pieces.of_atom[bond.first]].rings != RingKind::none &&
+        components.list[components.of_atom[bond.first]].rings != RingKind::none &&
         !std::binary_search(inside.begin(), inside.end(), key_of(bond.first, bond.second)))
       defects.push_back({"crosslink", {}, {}, {bond.first, bond.second}, {}});
 }
 
 }  // namespace
 
-std::vector<Defect> find_defects(const Molecule& molecule, const BondRows& rows, const Pieces& pieces) {
-  std::vector<Defect> defects = RingDefects(rows, pieces.rings).find();
+std::vector<Defect> find_defects(const Molecule& molecule, const BondRows& rows,
+                                 const MoleculeComponents& components) {
+  std::vector<Defect> defects = RingDefects(rows, components.rings).find();
   add_single_atoms(molecule, rows, defects);
-  add_crosslinks(molecule, rows, pieces, defects);
+  add_crosslinks(molecule, rows, components, defects);
   const Space space = molecule.cell ? Space(*molecule.cell) : Space();
   for (Defect& defect : defects) {
     const Vec3& anchor = molecule.positions[defect.atoms.front()];

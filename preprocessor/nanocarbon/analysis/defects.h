@@ -5,20 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "nanocarbon/analysis/pieces.h"
+#include "nanocarbon/analysis/components.h"
 
 namespace nanocarbon::analysis {
 
 //! One defect, at one place.
 struct Defect {
   std::string kind;  //!< "5-7 pair", "Stone-Wales", "vacancy", "adatom", ...: see find_defects
-  std::vector<std::uint32_t> rings;  //!< those that are no hexagons, ascending; indices into Pieces::rings
+  std::vector<std::uint32_t>
+      rings;  //!< those that are no hexagons, ascending; indices into MoleculeComponents::rings
   std::vector<std::uint32_t> ring_sizes;  //!< of these rings, ascending
   std::vector<AtomIndex> atoms;           //!< ascending
   Vec3 position = Vec3::Zero();           //!< middle of its atoms, Angstrom; beside its first atom in a cell
 };
 
-//! \brief The defects of all pieces, sorted by kind and lowest atom.
+//! \brief The defects of all components, sorted by kind and lowest atom.
 //! \details Rings that are no hexagons and share a bond belong to one defect. It is named by their sizes:
 //!   - one ring: "square", "pentagon", "heptagon", "octagon", else "ring of N"
 //!   - 5, 7: "5-7 pair", a dislocation
@@ -34,6 +35,7 @@ struct Defect {
 //!   - "carbon with one bond", "carbon with five bonds" or more: chains' ends, and what no carbon should have
 //! Rings share a bond where they share its two atoms: in a cell of a few atoms that may be another image of the bond.
 //! Linear.
-std::vector<Defect> find_defects(const Molecule& molecule, const BondRows& rows, const Pieces& pieces);
+std::vector<Defect> find_defects(const Molecule& molecule, const BondRows& rows,
+                                 const MoleculeComponents& components);
 
 }  // namespace nanocarbon::analysis

@@ -286,9 +286,9 @@ std::string advice_after(const TooFewAtoms& error, const TriangleMesh& surface, 
                           error.report() ? &*error.report() : nullptr, effort));
 }
 
-// Room for the smallest cage in each piece, if no more.
+// Room for the smallest cage in each component, if no more.
 double smallest_size(const TriangleMesh& surface, bool drop_specks) {
-  const std::vector<double> areas = mesh::piece_areas(surface);
+  const std::vector<double> areas = mesh::component_areas(surface);
   double whole = 0, smallest = mesh::area(surface);
   for (const double area : areas) whole += area;
   for (const double area : areas)

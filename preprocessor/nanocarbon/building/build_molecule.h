@@ -49,7 +49,7 @@ struct BuildOptions {
   //! Strains of a periodic cell that the final minimisation may change; nothing: relaxed_strains()
   std::optional<minimisation::CellRelaxation> relax_cell;
   //! @}
-  //! Leave out pieces of the surface that are too small for a cage; otherwise they are an error.
+  //! Leave out components of the surface that are too small for a cage; otherwise they are an error.
   bool drop_specks = false;
   //! Build even if the shape needs more atoms; keep a molecule that does not hold or has lost the shape. (The program
   //! also accepts one that is not shown to be at a minimum.)
@@ -75,7 +75,7 @@ double tether_of(const BuildOptions& options);
 
 //! \brief The strains of the cell that may change: those asked for, or the default for the kind of size asked for.
 //! \details With a number of atoms the cell's size is free; a length or scale prescribes it. It is also kept if all
-//! pieces are sheets, which would lose their ripples otherwise.
+//! components are sheets, which would lose their ripples otherwise.
 minimisation::CellRelaxation relaxed_strains(const BuildOptions& options, const TriangleMesh& surface);
 
 //! Wall-clock seconds of each stage.

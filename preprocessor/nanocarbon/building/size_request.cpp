@@ -97,7 +97,7 @@ SizedSurface sized_without_specks(const TriangleMesh& surface, const SizeRequest
   for (;;) {
     SizedSurface sized = sized_surface(rest, meant, bond_length);
     const double least = static_cast<double>(smallest_cage) * area_per_atom(bond_length);
-    const std::vector<double> areas = mesh::piece_areas(sized.mesh);
+    const std::vector<double> areas = mesh::component_areas(sized.mesh);
     const auto specks = static_cast<std::size_t>(
         std::count_if(areas.begin(), areas.end(), [&](double a) { return a < least; }));
     if (specks == 0 || areas.size() == 1) return sized;

@@ -46,7 +46,7 @@ double area_per_atom(double bond_length);
 //! gives a size that works), or more than fit into this machine's memory
 SizedSurface sized_surface(const TriangleMesh& surface, const SizeRequest& request, double bond_length);
 
-//! \brief The same for surfaces with specks, pieces too small for the smallest cage: they are refused or, if asked for,
+//! \brief The same for surfaces with specks, components too small for the smallest cage: they are refused or, if asked for,
 //! dropped before the rest is sized.
 //! \param surface mesh units
 //! \param dropped how many were left out

@@ -26,15 +26,16 @@ void add_bars(PageContents& contents, const char* title, const char* label, cons
   contents.plots.push_back(std::move(plot));
 }
 
-std::string topology_text(const analysis::Pieces& pieces) {
-  if (!pieces.all_surfaces() || pieces.surface.problem) {
-    const auto fault = std::find_if(pieces.pieces.begin(), pieces.pieces.end(),
-                                    [](const analysis::Piece& piece) { return !piece.is_surface(); });
+std::string topology_text(const analysis::MoleculeComponents& components) {
+  if (!components.all_surfaces() || components.surface.problem) {
+    const auto fault =
+        std::find_if(components.list.begin(), components.list.end(),
+                     [](const analysis::MoleculeComponent& component) { return !component.is_surface(); });
     return "no surface: " + fault->not_a_surface;
   }
   return fmt::format("{}, genus {}, Euler characteristic {}, boundary loops {}",
-                     pieces.surface.orientable ? "orientable" : "one-sided", pieces.surface.genus,
-                     pieces.surface.euler_characteristic, pieces.surface.boundary_loops);
+                     components.surface.orientable ? "orientable" : "one-sided", components.surface.genus,
+                     components.surface.euler_characteristic, components.surface.boundary_loops);
 }
 
 }  // namespace
@@ -43,7 +44,7 @@ PageFrame structure_frame(const Molecule& molecule, const analysis::Analysis& an
                           std::span<const analysis::AtomFate> fates, const std::string& label,
                           std::span<const double> distances) {
   PageFrame frame{label, molecule, {}};
-  frame.molecule.rings = analysis.pieces.rings;
+  frame.molecule.rings = analysis.components.rings;
   const std::size_t n = molecule.size();
   std::vector<std::uint8_t> in_defect(n, 0);
   for (const analysis::Defect& defect : analysis.defects)
@@ -52,7 +53,7 @@ PageFrame structure_frame(const Molecule& molecule, const analysis::Analysis& an
   const auto ring = [&](AtomIndex a) {
     std::size_t size = 0;
     for (const std::uint32_t r : analysis.rings_of_atoms.of(a)) {
-      const std::size_t s = analysis.pieces.rings[r].size();
+      const std::size_t s = analysis.components.rings[r].size();
       const auto off = [](std::size_t x) { return x > 6 ? x - 6 : 6 - x; };
       if (size == 0 || off(s) > off(size)) size = s;
     }
@@ -92,8 +93,8 @@ void add_analysis(PageContents& contents, const Molecule& molecule, std::span<co
                                b.carbon_carbon.spread.max, b.carbon_carbon.spread.mean));
   fact("sp, sp², sp³", fmt::format("{:.1f}%, {:.1f}%, {:.1f}%", 100 * b.share_with(2), 100 * b.share_with(3),
                                    100 * b.share_with(4)));
-  fact("pieces", std::to_string(analysis.pieces.pieces.size()));
-  fact("surface", topology_text(analysis.pieces));
+  fact("pieces", std::to_string(analysis.components.list.size()));
+  fact("surface", topology_text(analysis.components));
   if (analysis.energy)
     fact("energy", fmt::format("{:.5f} eV an atom ({})",
                                *analysis.energy / static_cast<double>(molecule.size()), analysis.potential));
@@ -105,10 +106,10 @@ void add_analysis(PageContents& contents, const Molecule& molecule, std::span<co
   contents.ids.assign(ids.begin(), ids.end());
 
   PagePlot rings{"Rings", "atoms in a ring", true, true, 1.0, {}, {}};
-  for (std::size_t size = 0; size < analysis.pieces.ring_counts.size(); ++size)
-    if (analysis.pieces.ring_counts[size] > 0 || (!rings.x.empty() && size <= 8)) {
+  for (std::size_t size = 0; size < analysis.components.ring_counts.size(); ++size)
+    if (analysis.components.ring_counts[size] > 0 || (!rings.x.empty() && size <= 8)) {
       rings.x.push_back(static_cast<double>(size));
-      rings.y.push_back(static_cast<double>(analysis.pieces.ring_counts[size]));
+      rings.y.push_back(static_cast<double>(analysis.components.ring_counts[size]));
     }
   if (!rings.x.empty()) contents.plots.push_back(std::move(rings));
   add_bars(contents, "Carbon-carbon bonds", "Å", b.carbon_carbon);

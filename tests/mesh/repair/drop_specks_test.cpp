@@ -12,7 +12,7 @@ TEST(DropSpecks, SmallPiecesGoAndTheOthersStayAsTheyAre) {
   const TriangleMesh large = test::tetrahedron(), second = test::tetrahedron(Vec3(9, 0, 0));
   TriangleMesh mesh = test::together(test::together(test::tetrahedron(Vec3(5, 0, 0), 0.01), large),
                                      test::together(test::tetrahedron(Vec3(7, 0, 0), 0.02), second));
-  const std::vector<double> areas = piece_areas(mesh);
+  const std::vector<double> areas = component_areas(mesh);
   ASSERT_EQ(areas.size(), 4u);
   EXPECT_NEAR(areas[1], 8 * std::sqrt(3.0), 1e-12);  // four triangles of edge sqrt(8)
   EXPECT_NEAR(areas[2], 4e-4 * areas[1], 1e-12);

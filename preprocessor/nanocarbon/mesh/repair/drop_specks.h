@@ -8,10 +8,10 @@
 
 namespace nanocarbon::mesh {
 
-//! Areas of the connected pieces of a mesh, in the order of their lowest faces. Square mesh units.
-std::vector<double> piece_areas(const TriangleMesh& mesh);
+//! Areas of the connected components of a mesh, in the order of their lowest faces. Square mesh units.
+std::vector<double> component_areas(const TriangleMesh& mesh);
 
-//! \brief Drops pieces with less than an area, as a segmented scan leaves them; points and faces that stay keep
+//! \brief Drops components with less than an area, as a segmented scan leaves them; points and faces that stay keep
 //! their order.
 //! \return how many were dropped
 std::size_t drop_specks(TriangleMesh& mesh, double least_area);

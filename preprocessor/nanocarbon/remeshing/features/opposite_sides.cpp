@@ -26,10 +26,10 @@ double squared_distance(const mesh::BoundingBox& box, const Vec3& p) {
 
 Facets::Facets(const crystal::SurfaceGuide& guide) : mesh(guide.mesh()), tree(mesh::triangle_tree(mesh)) {
   const std::size_t n = mesh.triangles.size();
-  DisjointSets pieces(n);
+  DisjointSets sets(n);
   for (crystal::HalfEdgeIndex h = 0; h < 3 * n; ++h)
     if (const crystal::HalfEdgeIndex o = guide.table().twin(h); o != crystal::no_half_edge)
-      pieces.join(h / 3, o / 3);
+      sets.join(h / 3, o / 3);
   for (auto* of_all : {&centres, &normals}) of_all->reserve(n);
   areas.reserve(n);
   components.reserve(n);
@@ -37,7 +37,7 @@ Facets::Facets(const crystal::SurfaceGuide& guide) : mesh(guide.mesh()), tree(me
     const auto [a, b, c] = corners_in_cell(mesh, mesh.triangles[t]);
     centres.push_back((a + b + c) / 3);
     areas.push_back(0.5 * (b - a).cross(c - a).norm());
-    components.push_back(pieces.find(t));
+    components.push_back(sets.find(t));
     normals.push_back(guide.normal({centres.back(), {1.0 / 3, 1.0 / 3, 1.0 / 3}, t}));
   }
 }
@@ -78,7 +78,8 @@ std::optional<Opposite> opposite(const Facets& facets, std::uint32_t from, doubl
       if (!(distance < best)) continue;
       const auto& node = nodes[at];
       if (node.leaf()) {
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) look_at(facets.tree.triangles[i]);
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+          look_at(facets.tree.triangles[i]);
         continue;
       }
       std::pair<double, std::uint32_t> near{distance_to(nodes[node.first].box), node.first},

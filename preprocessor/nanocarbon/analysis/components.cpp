@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "nanocarbon/analysis/pieces.h"
+#include "nanocarbon/analysis/components.h"
 
 #include <fmt/format.h>
 
@@ -23,24 +23,24 @@ void append(Rings& rings, std::span<const AtomIndex> ring) {
   rings.offsets.push_back(static_cast<std::uint32_t>(rings.atoms.size()));
 }
 
-// The atoms of each piece, in compressed rows.
+// The atoms of each component, in compressed rows.
 struct Members {
   std::vector<std::uint32_t> offsets;
   std::vector<AtomIndex> atoms;
 };
 
-Members members_of(std::span<const std::uint32_t> of_atom, std::size_t pieces) {
+Members members_of(std::span<const std::uint32_t> of_atom, std::size_t components) {
   Members members;
-  members.offsets.assign(pieces + 1, 0);
+  members.offsets.assign(components + 1, 0);
   for (const std::uint32_t p : of_atom) ++members.offsets[p + 1];
-  for (std::size_t p = 0; p < pieces; ++p) members.offsets[p + 1] += members.offsets[p];
+  for (std::size_t p = 0; p < components; ++p) members.offsets[p + 1] += members.offsets[p];
   members.atoms.resize(of_atom.size());
   std::vector<std::uint32_t> next(members.offsets.begin(), members.offsets.end() - 1);
   for (AtomIndex a = 0; a < of_atom.size(); ++a) members.atoms[next[of_atom[a]]++] = a;
   return members;
 }
 
-// One piece's part of a graph; hydrogen that is bonded into another piece as well has only its bonds in this one.
+// One component's part of a graph; hydrogen that is bonded into another component as well has only its bonds in this one.
 topology::EmbeddedGraph part_of(const topology::EmbeddedGraph& graph, std::span<const AtomIndex> atoms,
                                 std::span<const std::uint32_t> of_atom, std::vector<AtomIndex>& place) {
   topology::EmbeddedGraph part;
@@ -58,21 +58,21 @@ topology::EmbeddedGraph part_of(const topology::EmbeddedGraph& graph, std::span<
   return part;
 }
 
-void take_surfaces_one_by_one(const topology::EmbeddedGraph& graph, const PieceOptions& options,
-                              Pieces& result) {
-  const Members members = members_of(result.of_atom, result.pieces.size());
+void take_surfaces_one_by_one(const topology::EmbeddedGraph& graph, const ComponentOptions& options,
+                              MoleculeComponents& result) {
+  const Members members = members_of(result.of_atom, result.list.size());
   std::vector<AtomIndex> place(graph.atoms());
-  for (std::size_t p = 0; p < result.pieces.size(); ++p) {
+  for (std::size_t p = 0; p < result.list.size(); ++p) {
     const std::span<const AtomIndex> atoms(members.atoms.data() + members.offsets[p],
                                            members.offsets[p + 1] - members.offsets[p]);
     const topology::SurfaceTopology surface =
         topology::surface_topology(part_of(graph, atoms, result.of_atom, place), {options.max_ring});
-    Piece& piece = result.pieces[p];
+    MoleculeComponent& component = result.list[p];
     if (surface.problem) {
-      piece.not_a_surface = surface.problem->reason;
+      component.not_a_surface = surface.problem->reason;
       continue;
     }
-    piece.topology = surface.components.front();
+    component.topology = surface.components.front();
     std::vector<AtomIndex> ring;
     for (std::size_t r = 0; r < surface.rings.size(); ++r) {
       ring.clear();
@@ -82,26 +82,27 @@ void take_surfaces_one_by_one(const topology::EmbeddedGraph& graph, const PieceO
   }
 }
 
-// Bonds of the pieces that the rings are searched in.
-BondRows rows_of_pieces(const Molecule& molecule, const Pieces& pieces, bool only_without_surface) {
+// Bonds of the components that the rings are searched in.
+BondRows rows_of_components(const Molecule& molecule, const MoleculeComponents& components,
+                            bool only_without_surface) {
   Molecule part;
   part.positions = molecule.positions;
   part.elements = molecule.elements;
   for (const Bond& bond : molecule.bonds)
-    if (!only_without_surface || !pieces.pieces[pieces.of_atom[bond.first]].is_surface())
+    if (!only_without_surface || !components.list[components.of_atom[bond.first]].is_surface())
       part.bonds.push_back(bond);
   return carbon_bond_rows(part);
 }
 
-void search_rings(const Molecule& molecule, const topology::EmbeddedGraph& graph, const PieceOptions& options,
-                  Pieces& result) {
+void search_rings(const Molecule& molecule, const topology::EmbeddedGraph& graph,
+                  const ComponentOptions& options, MoleculeComponents& result) {
   const bool automatic = options.rings == RingChoice::automatic;
-  const BondRows rows = rows_of_pieces(molecule, result, automatic);
+  const BondRows rows = rows_of_components(molecule, result, automatic);
   const auto kind = options.rings == RingChoice::primitive ? RingKind::primitive : RingKind::king;
   if (!automatic) result.rings = {};
   const std::optional<AtomIndex> crowded = crowded_atom(rows);
-  for (Piece& piece : result.pieces)
-    if (!automatic || !piece.is_surface()) piece.rings = crowded ? RingKind::none : kind;
+  for (MoleculeComponent& component : result.list)
+    if (!automatic || !component.is_surface()) component.rings = crowded ? RingKind::none : kind;
   if (crowded) {
     result.rings_not_counted = fmt::format(
         "rings are not searched for, because atom ID {} has {} bonds; are its distances Angstrom?",
@@ -134,29 +135,30 @@ std::string_view name(RingKind kind) {
   return "none";
 }
 
-Pieces find_pieces(const Molecule& molecule, std::span<const std::int64_t> ids, const PieceOptions& options) {
-  Pieces result;
+MoleculeComponents find_components(const Molecule& molecule, std::span<const std::int64_t> ids,
+                                   const ComponentOptions& options) {
+  MoleculeComponents result;
   const topology::EmbeddedGraph graph = graph_of(molecule, ids);
   result.surface = topology::surface_topology(graph, {options.max_ring});
   result.of_atom = result.surface.component_of_atom;
-  result.pieces.resize(result.surface.components.size());
+  result.list.resize(result.surface.components.size());
   for (AtomIndex a = static_cast<AtomIndex>(molecule.size()); a-- > 0;) {
-    Piece& piece = result.pieces[result.of_atom[a]];
-    piece.first = a;
-    ++piece.atoms;
+    MoleculeComponent& component = result.list[result.of_atom[a]];
+    component.first = a;
+    ++component.atoms;
   }
   if (!result.surface.problem) {
-    for (std::size_t p = 0; p < result.pieces.size(); ++p)
-      result.pieces[p].topology = result.surface.components[p];
+    for (std::size_t p = 0; p < result.list.size(); ++p)
+      result.list[p].topology = result.surface.components[p];
     result.rings = result.surface.rings;
-  } else if (result.pieces.size() == 1) {
-    result.pieces[0].not_a_surface = result.surface.problem->reason;
+  } else if (result.list.size() == 1) {
+    result.list[0].not_a_surface = result.surface.problem->reason;
   } else {
     take_surfaces_one_by_one(graph, options, result);
   }
   const bool automatic = options.rings == RingChoice::automatic;
-  for (const Piece& piece : result.pieces)
-    if (!piece.is_surface()) result.atoms_without_surface += piece.atoms;
+  for (const MoleculeComponent& component : result.list)
+    if (!component.is_surface()) result.atoms_without_surface += component.atoms;
   if (!automatic || !result.all_surfaces()) search_rings(molecule, graph, options, result);
   result.ring_counts.assign(static_cast<std::size_t>(options.max_ring) + 1, 0);
   for (std::size_t r = 0; r < result.rings.size(); ++r) ++result.ring_counts[result.rings[r].size()];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The connected pieces of a molecule, the surface of each that has one, and the rings.
+// The connected components of a molecule, the surface of each that has one, and the rings.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace nanocarbon::analysis {
 
-//! How a piece's rings were found.
+//! How a component's rings were found.
 enum class RingKind : std::uint8_t { faces, king, primitive, none };
 std::string_view name(RingKind kind);
 
-//! A connected piece.
-struct Piece {
+//! A connected component.
+struct MoleculeComponent {
   std::size_t atoms = 0;
   AtomIndex first = 0;                   //!< its lowest atom
   std::string not_a_surface;             //!< why it is none; empty where it is one
@@ -27,38 +27,40 @@ struct Piece {
 
 //! Which rings are wanted.
 enum class RingChoice {
-  automatic,  //!< faces where a piece is a surface, King's elsewhere
+  automatic,  //!< faces where a component is a surface, King's elsewhere
   king,
   primitive
 };
 
-struct PieceOptions {
+struct ComponentOptions {
   RingChoice rings = RingChoice::automatic;
   int max_ring = 12;     //!< 3 to 64; of a surface, a longer face is a hole
   unsigned threads = 1;  //!< the result does not depend on it
 };
 
-//! Pieces and rings.
-struct Pieces {
-  //! Of all pieces together, as the LAMMPS fix and verdicts see them.
+//! Components and rings.
+struct MoleculeComponents {
+  //! Of all components together, as the LAMMPS fix and verdicts see them.
   topology::SurfaceTopology surface;
-  std::vector<Piece> pieces;  //!< numbered by their lowest atom
+  std::vector<MoleculeComponent> list;  //!< numbered by their lowest atom
   std::vector<std::uint32_t> of_atom;
-  Rings rings;  //!< of all pieces; faces run counter-clockwise seen from outside where there is one
+  Rings rings;  //!< of all components; faces run counter-clockwise seen from outside where there is one
   std::vector<std::uint64_t> ring_counts;  //!< by size; size max_ring + 1
-  //! Of the pieces that were searched: those that are not surfaces, or all if asked for. Empty if none were.
+  //! Of the components that were searched: those that are not surfaces, or all if asked for. Empty if none were.
   std::vector<std::uint64_t> king_counts, primitive_counts;
-  std::size_t atoms_searched = 0;         //!< in those pieces: what such counts are divided by
-  std::size_t atoms_without_surface = 0;  //!< in the pieces that are not surfaces
-  std::string rings_not_counted;  //!< why the rings of pieces without surface are not known; usually empty
+  std::size_t atoms_searched = 0;         //!< in those components: what such counts are divided by
+  std::size_t atoms_without_surface = 0;  //!< in the components that are not surfaces
+  std::string
+      rings_not_counted;  //!< why the rings of components without surface are not known; usually empty
 
   bool all_surfaces() const { return atoms_without_surface == 0; }
 };
 
-//! \brief Takes a molecule's pieces apart and reads the surface of each off its bonds.
-//! \details A piece that is no surface does not keep the others from being ones. Linear in atoms.
+//! \brief Takes a molecule's components apart and reads the surface of each off its bonds.
+//! \details A component that is no surface does not keep the others from being ones. Linear in atoms.
 //! \param ids names of the atoms in messages; empty: indices plus one
 //! \pre the bonds are known
-Pieces find_pieces(const Molecule& molecule, std::span<const std::int64_t> ids, const PieceOptions& options);
+MoleculeComponents find_components(const Molecule& molecule, std::span<const std::int64_t> ids,
+                                   const ComponentOptions& options);
 
 }  // namespace nanocarbon::analysis
