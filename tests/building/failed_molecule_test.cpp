@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(WhyItDoesNotHold, NamesTheBondAndItsPlaceInTheMesh) {
+TEST(DescribeFailure, NamesTheBondAndItsPlaceInTheMesh) {
   Molecule molecule = structures::fullerene(1, 1);
   const Bond bond = molecule.bonds.front();
   const Vec3 outwards = molecule.positions[bond.first].normalized();
@@ -27,7 +27,7 @@ TEST(WhyItDoesNotHold, NamesTheBondAndItsPlaceInTheMesh) {
   EXPECT_NEAR(std::stod(said.substr(near + 6)), middle.x(), 0.25);
 }
 
-TEST(WhyItDoesNotHold, NamesAtomsThatAreTooClose) {
+TEST(DescribeFailure, NamesAtomsThatAreTooClose) {
   Molecule molecule = structures::fullerene(1, 1);
   for (Vec3& p : molecule.positions) p *= 0.7;
   const std::string said = describe_failure(molecule, {shapes::make_sphere(3.55, 8), 1.0, 60});

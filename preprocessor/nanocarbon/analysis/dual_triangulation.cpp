@@ -132,7 +132,7 @@ class Triangulation {
 
   // Each triangle's middle should be its atom: coordinate descent on the squared distances, from the vertices of
   // rings, which stay.
-  void place_rim() {
+  void place_boundary() {
     constexpr int sweeps = 200;
     std::vector<std::uint32_t> free;
     for (std::uint32_t v = 0; v < points_.size(); ++v) {
@@ -192,7 +192,7 @@ class Triangulation {
     for (AtomIndex a = 0; a < corners_.size(); ++a)
       if (corners_[a].count > 0 && corners_[a].count < 3)
         refuse(fmt::format("atom ID {} is beside {} faces only", graph_.id(a), corners_[a].count));
-    place_rim();
+    place_boundary();
     DualTriangulation result;
     result.mesh.points = points_;
     result.mesh.space = space_;

@@ -328,7 +328,7 @@ std::string report_table(const Json& report) {
   }
   if (report.contains("annealing")) {
     const Json& r = report["annealing"];
-    // The energy on fixed bonds leaves out part of what rims cost.
+    // The energy on fixed bonds leaves out part of what boundaries cost.
     const bool closed = report["molecule"]["boundary_loops"].get<std::size_t>() == 0;
     line("energy, eV/atom",
          fmt::format("{:.5f}, {:.1f} meV above graphene", r["energy_per_atom"].get<double>(),

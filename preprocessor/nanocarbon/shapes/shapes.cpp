@@ -36,7 +36,7 @@ int steps(double length, double step, int fewest) {
   return std::max(fewest, static_cast<int>(std::lround(length / step)));
 }
 
-//! Loops of a hemisphere around `centre`, from its rim (not included) to its pole in the direction x cross y.
+//! Loops of a hemisphere around `centre`, from its boundary (not included) to its pole in the direction x cross y.
 std::vector<Loop> dome(const Vec3& centre, const Vec3& x, const Vec3& y, double radius, double edge,
                        double turn) {
   std::vector<Loop> loops;

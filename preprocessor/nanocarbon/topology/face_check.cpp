@@ -88,7 +88,7 @@ std::optional<NotASurface> find_doubtful_turning(const EmbeddedGraph& graph, con
       continue;
     const AtomIndex atom = faces.atoms[faces.offsets[f]];
     return NotASurface{
-        fmt::format("a face of {} atoms at atom ID {} is too crumpled to tell a ring from a rim", size,
+        fmt::format("a face of {} atoms at atom ID {} is too crumpled to tell a ring from a boundary", size,
                     graph.id(atom)),
         atom};
   }

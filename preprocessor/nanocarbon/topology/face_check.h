@@ -15,7 +15,7 @@ namespace nanocarbon::topology {
 //! the genus is one too high. So a bond is suspect that a face goes along both ways at the same place in
 //! space (images are other places), unless nothing else holds its two parts together. Both times the same way
 //! is a Moebius band. A chain of atoms from one hole to another, as in molten carbon, is such a case too: it
-//! has no sides. Suspect as well is a short face that could be a ring or a rim, turning by about half a turn.
+//! has no sides. Suspect as well is a short face that could be a ring or a boundary, turning by about half a turn.
 //! Linear.
 std::optional<NotASurface> find_doubtful_face(const EmbeddedGraph& graph, const RotationSystem& rotation,
                                               const Faces& faces, int max_ring);

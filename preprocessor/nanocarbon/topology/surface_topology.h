@@ -47,7 +47,7 @@ struct TopologyOptions {
 //! \brief Reads a molecule's surface off its bonds by face tracing (not by shortest cycles).
 //! \details orientation.h says how sides are told, face_tracing.h how faces are. Rings are the faces of at
 //! most max_ring atoms, the others are boundary loops; so is a shorter face that turns the wrong way or not
-//! at all (less than half a full turn to the left), as the rim of a naphthalene or of a thin open tube does.
+//! at all (less than half a full turn to the left), as the boundary of a naphthalene or of a thin open tube does.
 //! Hydrogen is not part of the surface. Carbon that hangs on by one bond, alone or as a tree, is left out of
 //! faces and changes nothing. Not a surface, and never guessed: a carbon atom bonded to four or more others;
 //! a bond known to one of its atoms only; a bond twisted by a right angle that only long cycles go through;
