@@ -14,7 +14,7 @@ struct DualTriangulation {
 };
 
 //! \brief Turns molecule::dual round: a vertex for each ring, a triangle for each carbon atom.
-//! \details A vertex is the middle of its ring's atoms. Along a boundary, where the ring beside an atom is open, vertices
+//! \details Vertices lie in the middle of their rings. Along a boundary, where the ring beside an atom is open, they
 //! lie between each two bonds that are missing there, placed so that the middles of the triangles come as near to
 //! their atoms as can be. A hole of more atoms than a ring may have and no bond missing becomes a vertex. Hydrogen
 //! and carbon that hangs on by one bond have no triangles; components without rings have none. The dual of the result

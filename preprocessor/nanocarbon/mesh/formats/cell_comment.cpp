@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <vector>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/core/text_numbers.h"
 
 namespace nanocarbon::mesh {
 namespace {
@@ -24,16 +25,16 @@ std::optional<std::string_view> value_of(std::string_view line, std::string_view
   return line.substr(0, end);
 }
 
+// Nothing where one of them is not a number.
 std::vector<double> numbers_in(std::string_view text) {
+  constexpr const char* between = " \t,";
   std::vector<double> numbers;
   while (true) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == ','))
-      text.remove_prefix(1);
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc()) return text.empty() ? numbers : std::vector<double>{};
-    numbers.push_back(number);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    text.remove_prefix(std::min(text.find_first_not_of(between), text.size()));
+    if (text.empty()) return numbers;
+    const std::string_view word = text.substr(0, text.find_first_of(between));
+    if (read_real(word, numbers.emplace_back()) != NumberToken::number) return {};
+    text.remove_prefix(word.size());
   }
 }
 
