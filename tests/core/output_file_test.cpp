@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "nanocarbon/core/error.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon {
 namespace {
@@ -17,14 +18,6 @@ namespace fs = std::filesystem;
 
 class OutputFile : public testing::Test {
  protected:
-  void SetUp() override {
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder = fs::path(testing::TempDir()) / ("nanocarbon_output_file_" + test);
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
   }
@@ -33,7 +26,8 @@ class OutputFile : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  fs::path folder;
+  const test::TemporaryFolder temporary;
+  const fs::path folder = temporary.path();
 };
 
 TEST_F(OutputFile, WritesAndReplaces) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "nanocarbon/mesh/formats/load_surface.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon::shapes {
 namespace {
@@ -16,9 +17,8 @@ namespace fs = std::filesystem;
 const fs::path examples = NANOCARBON_EXAMPLES;
 
 TEST(ExampleMeshes, AreWhatTheGeneratorMakes) {
-  const fs::path folder = fs::path(testing::TempDir()) / "nanocarbon_example_meshes";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const test::TemporaryFolder temporary;
+  const fs::path& folder = temporary.path();
   const std::string command = "NANOCARBON='" NANOCARBON_PROGRAM "' '" +
                               (examples / "meshes/make.sh").string() + "' '" + folder.string() + "' > '" +
                               (folder / "log").string() + "'";
@@ -39,7 +39,6 @@ TEST(ExampleMeshes, AreWhatTheGeneratorMakes) {
     ++compared;
   }
   EXPECT_GE(compared, 5u);
-  fs::remove_all(folder);
 }
 
 TEST(ExampleMeshes, LoadWithoutRepairs) {

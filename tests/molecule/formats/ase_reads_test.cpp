@@ -15,6 +15,7 @@
 #include "nanocarbon/molecule/formats/lammps_data.h"
 #include "nanocarbon/molecule/formats/read_molecule.h"
 #include "nanocarbon/molecule/formats/xyz.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon::molecule {
 namespace {
@@ -26,15 +27,8 @@ class AseReads : public testing::Test {
   void SetUp() override {
     if (std::string(NANOCARBON_ASE_PYTHON).empty())
       GTEST_SKIP() << "no Python with ASE was found (python3-ase)";
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder = fs::path(testing::TempDir()) / ("nanocarbon_ase_" + test);
-    fs::remove_all(folder);
-    fs::create_directories(folder);
     molecule = dual(test::scaled_to_carbon(test::icosahedron()));
     molecule.elements[7] = Element::hydrogen;
-  }
-  void TearDown() override {
-    if (!folder.empty()) fs::remove_all(folder);
   }
 
   void run(const std::string& arguments) const {
@@ -76,7 +70,8 @@ class AseReads : public testing::Test {
     }
   }
 
-  fs::path folder;
+  const test::TemporaryFolder temporary;
+  const fs::path folder = temporary.path();
   Molecule molecule;
 };
 

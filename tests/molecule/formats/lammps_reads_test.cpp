@@ -18,6 +18,7 @@
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/tube.h"
 #include "nanocarbon/topology/bond_graph.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon::molecule {
 namespace {
@@ -28,13 +29,6 @@ class LammpsReads : public testing::Test {
  protected:
   void SetUp() override {
     if (std::string(NANOCARBON_LMP).empty()) GTEST_SKIP() << "no LAMMPS program lmp was found";
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder = fs::path(testing::TempDir()) / ("nanocarbon_lammps_" + test);
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override {
-    if (!folder.empty()) fs::remove_all(folder);
   }
 
   // Energy in eV that LAMMPS's REBO gives for a.data; it also writes what it read as b.data.
@@ -84,7 +78,8 @@ class LammpsReads : public testing::Test {
     for (std::size_t b = 0; b < before.size(); ++b) EXPECT_NEAR(before[b], after[b], 1e-9);
   }
 
-  fs::path folder;
+  const test::TemporaryFolder temporary;
+  const fs::path folder = temporary.path();
 };
 
 TEST_F(LammpsReads, EveryAtomStyleWithTheSameEnergy) {

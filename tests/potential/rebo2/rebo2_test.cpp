@@ -3,8 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/potential/rebo2/parameter_file.h"
 #include "nanocarbon/structures/diamond.h"
@@ -12,6 +10,7 @@
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/hydrocarbons.h"
 #include "potential/rebo2/comparison_structures.h"
+#include "support/temporary_folder.h"
 
 namespace nanocarbon::rebo2 {
 namespace {
@@ -125,8 +124,9 @@ TEST(Rebo2, NothingAndSingleAtomsHaveNoEnergy) {
 }
 
 TEST(ParameterFile, SaysWhereItIsWrong) {
-  const std::string path = testing::TempDir() + "wrong.rebo";
-  std::ofstream(path) << "# DATE\n# REBO2 Brenner\n\n1.7 rcmin_CC\n1.3 rcmin_CH\nabc rcmin_HH\n";
+  const test::TemporaryFolder folder;
+  const std::string path =
+      folder.file("wrong.rebo", "# DATE\n# REBO2 Brenner\n\n1.7 rcmin_CC\n1.3 rcmin_CH\nabc rcmin_HH\n");
   try {
     read_rebo2_parameters(path);
     FAIL();
@@ -137,10 +137,9 @@ TEST(ParameterFile, SaysWhereItIsWrong) {
 }
 
 std::string error_of_parameters(const std::string& text) {
-  const std::string path = testing::TempDir() + "wrong.rebo";
-  std::ofstream(path) << text;
+  const test::TemporaryFolder folder;
   try {
-    read_rebo2_parameters(path);
+    read_rebo2_parameters(folder.file("wrong.rebo", text));
   } catch (const UserError& error) {
     return error.what();
   }
