@@ -6,6 +6,7 @@ function nanocarbonImpostors(THREE) {
   const uniforms = {
     radius: { value: 0.35 }, stick: { value: 0.14 }, fogNear: { value: 1 }, fogFar: { value: 1e6 },
     pixel: { value: 0 },  // how wide a pixel is at unit distance: nothing is drawn narrower
+    grow: { value: 1 },  // how much larger points are, where they stand for more atoms than one
     cut: { value: -1e9 },  // what lies to the left of this is not drawn
   };
   const common = 'uniform float fogNear; uniform float fogFar;' +
@@ -44,12 +45,13 @@ function nanocarbonImpostors(THREE) {
       'varying float depth; void main() { vec3 n = normalize(side * at.x + facing * sqrt(max(0.0, 1.0 - at.x * at.x)));' +
       'gl_FragColor = vec4(shade(at.y < 0.0 ? colour : colourEnd, n, depth), 1.0); }',
   });
-  // The same spheres as points, for fast turning: at most as large as points may be, and gone where their middle is.
+  // The same spheres as points, for fast turning: at most as large as points may be, and gone where their middle is. Where not
+  // all of them are drawn, the others grow.
   const pointMaterial = new THREE.ShaderMaterial({
     uniforms,
-    vertexShader: 'attribute vec4 tint; uniform float radius; uniform float pixel; uniform float cut; varying vec3 colour;' +
+    vertexShader: 'attribute vec4 tint; uniform float radius; uniform float grow; uniform float pixel; uniform float cut; varying vec3 colour;' +
       'varying float depth; void main() { float kind = floor(tint.w * 255.0 + 0.5); colour = tint.rgb;' +
-      'vec4 p = modelViewMatrix * vec4(position, 1.0); depth = -p.z; float r = radius * (mod(kind, 2.0) > 0.5 ? 0.62 : 1.0);' +
+      'vec4 p = modelViewMatrix * vec4(position, 1.0); depth = -p.z; float r = grow * radius * (mod(kind, 2.0) > 0.5 ? 0.62 : 1.0);' +
       'if (p.x < cut) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }' +
       'p.z += r; gl_Position = projectionMatrix * p; gl_PointSize = clamp(2.0 * r / (pixel * depth), 1.4, 60.0); }',
     fragmentShader: common + 'varying vec3 colour; varying float depth; void main() {' +
@@ -77,14 +79,18 @@ function nanocarbonImpostors(THREE) {
     return geometry;
   }
 
-  function pointGeometry(positions, colours, kind) {
-    const count = positions.length / 3, tint = new Uint8Array(4 * count);
-    for (let a = 0; a < count; ++a) {
-      for (let d = 0; d < 3; ++d) tint[4 * a + d] = byte(colours[3 * a + d]);
-      tint[4 * a + 3] = kind(a);
-    }
+  // order: of the atoms, so that the first of them stand for all.
+  function pointGeometry(positions, colours, kind, order) {
+    const count = positions.length / 3, tint = new Uint8Array(4 * count), centre = new Float32Array(3 * count);
+    order.forEach((a, k) => {
+      for (let d = 0; d < 3; ++d) {
+        centre[3 * k + d] = positions[3 * a + d];
+        tint[4 * k + d] = byte(colours[3 * a + d]);
+      }
+      tint[4 * k + 3] = kind(a);
+    });
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+    geometry.setAttribute('position', new THREE.BufferAttribute(centre, 3));
     geometry.setAttribute('tint', new THREE.BufferAttribute(tint, 4, true));
     return geometry;
   }

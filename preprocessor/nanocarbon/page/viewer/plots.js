@@ -35,7 +35,8 @@ function nanocarbonPlot(p, parent, short, ringColour) {
       'stroke-width': 1.5 }, picture);
   }
   svg('line', { x1: left, y1: H - bottom, x2: W - right, y2: H - bottom, stroke: '#9aa5b1' }, picture);
-  const middle = bars && p.colours ? xs.map((x) => [x + p.width / 2, x]) : [[x0, x0], [(x0 + x1) / 2, (x0 + x1) / 2], [x1, x1]];
+  const halfway = Math.abs(x0 + x1) < 1e-9 * (x1 - x0) ? 0 : (x0 + x1) / 2;
+  const middle = bars && p.colours ? xs.map((x) => [x + p.width / 2, x]) : [[x0, x0], [halfway, halfway], [x1, x1]];
   middle.forEach(([x, name], i) => svg('text', { x: X(x), y: H - bottom + 13,
     'text-anchor': bars && p.colours ? 'middle' : ['start', 'middle', 'end'][i] }, picture, short(name)));
   svg('text', { x: (left + W) / 2, y: H - 5, 'text-anchor': 'middle' }, picture, p.label);

@@ -103,7 +103,7 @@
   scene.add(world);
 
   renderer.localClippingEnabled = true;
-  const impostors = nanocarbonImpostors(THREE), uniforms = impostors.uniforms;
+  const impostors = nanocarbonImpostors(THREE), uniforms = impostors.uniforms, coarse = nanocarbonCoarse(THREE);
   const spheres = new THREE.Mesh(new THREE.BufferGeometry(), impostors.sphereMaterial);
   const sticks = new THREE.Mesh(new THREE.BufferGeometry(), impostors.stickMaterial);
   const points = new THREE.Points(new THREE.BufferGeometry(), impostors.pointMaterial);
@@ -172,6 +172,7 @@
     const category = categories[description.category];
     if (category) {
       const present = new Map();
+      legend.appendChild(document.createElement('span')).textContent = 'atoms:';
       for (let a = 0; a < count; ++a) {
         colours.set(category.colour(values[a]), 3 * a);
         present.set(values[a], (present.get(values[a]) || 0) + 1);
@@ -194,6 +195,7 @@
     upload();
   }
 
+  let order = new Uint32Array(0);
   function upload() {
     const elements = column(now.frame.columns[contents.elementColumn]), picked = new Set(now.picked ? now.picked.atoms : []);
     const kind = (a) => (elements[a] ? 1 : 0) + (picked.has(a) ? 2 : 0);
@@ -203,7 +205,9 @@
     };
     replace(spheres, impostors.sphereGeometry(now.positions, now.colours, kind));
     replace(sticks, impostors.stickGeometry(bondEnds, bondAtoms, now.colours));
-    replace(points, impostors.pointGeometry(now.positions, now.colours, kind));
+    const count = now.positions.length / 3;
+    if (order.length !== count) order = coarse.spread(count);
+    replace(points, impostors.pointGeometry(now.positions, now.colours, kind, order));
     draw();
   }
 
@@ -260,7 +264,7 @@
   const light = new THREE.DirectionalLight(0xffffff, 0.5);
   light.position.set(0.35, 0.5, 0.8);
   scene.add(light);
-  let surface = null;
+  let surface = null, fineSurface = null, coarseSurface = null;
   if (contents.mesh) {
     const { from, step } = contents.mesh, packed = as(Uint16Array, contents.mesh.points), index = as(Uint32Array, contents.mesh.triangles);
     const points = new Float32Array(packed.length);
@@ -272,6 +276,7 @@
     surface = new THREE.Mesh(geometry, new THREE.MeshPhongMaterial({ color: 0xc9b27c, side: THREE.DoubleSide, shininess: 12,
       flatShading: index.length < 60000 }));
     world.add(surface);
+    fineSurface = geometry;
   } else {
     $('mesh-choice').hidden = true;
   }
@@ -325,6 +330,13 @@
     let farthest = 0;
     for (let i = 0; i < p.length; i += 3)
       farthest = Math.max(farthest, Math.hypot(p[i] - view.middle.x, p[i + 1] - view.middle.y, p[i + 2] - view.middle.z));
+    if (cellLines) {  // a cell that is not much larger is shown whole
+      const ends = cellLines.geometry.getAttribute('position').array;
+      let corner = 0;
+      for (let i = 0; i < ends.length; i += 3)
+        corner = Math.max(corner, Math.hypot(ends[i] - view.middle.x, ends[i + 1] - view.middle.y, ends[i + 2] - view.middle.z));
+      if (corner < 1.5 * farthest) farthest = Math.max(farthest, corner);
+    }
     view.size = 2 * Math.max(1.5, farthest);
     let wide = 1;
     molecule.position.copy(view.middle).negate();
@@ -346,8 +358,10 @@
     frameView();
   }
 
-  // How slow turning is: 0 everything is drawn, 1 points stand for atoms and sticks wait until it stops, 2 as coarse as it may be.
-  let queued = false, moving = false, slowness = 0, probes = [];
+  // How turning is drawn: whole, or, where that is slow, as points for a share of the atoms and a coarse mesh, at one pixel
+  // each; sticks and rings wait until it stops.
+  let queued = false, moving = false, whole = true, share = 1, probes = [];
+  const budget = () => (whole ? 80 : 45), leastShare = 0.2;  // ms a frame; the browser needs some more to show it
   const finePixels = Math.min(window.devicePixelRatio || 1, 2);
   function finished() {  // waits until the frame is there; finish() alone does not
     renderer.getContext().readPixels(0, 0, 1, 1, renderer.getContext().RGBA, renderer.getContext().UNSIGNED_BYTE, new Uint8Array(4));
@@ -361,7 +375,7 @@
     queued = false;
     const begin = performance.now();
     const width = stage.clientWidth, height = stage.clientHeight, canvas = renderer.domElement;
-    const pixels = moving && slowness === 2 ? 0.5 : finePixels;
+    const pixels = moving && !whole ? Math.min(1, finePixels) : finePixels;
     if (renderer.getPixelRatio() !== pixels) renderer.setPixelRatio(pixels);
     if (canvas.clientWidth !== width || canvas.clientHeight !== height) renderer.setSize(width, height);
     uniforms.pixel.value = (2 * Math.tan((camera.fov * Math.PI) / 360)) / (height * pixels);
@@ -381,19 +395,32 @@
       surface.position.sub(side);
       molecule.position.add(side);
     }
-    // Where turning is slow, sticks wait until it stops.
-    points.visible = moving && slowness > 0;
-    sticks.visible = !points.visible && $('style').value !== 'spheres';
-    spheres.visible = !points.visible && ($('style').value !== 'sticks' || !!now.picked);
+    const quickly = moving && !whole;
+    points.visible = quickly;
+    points.geometry.setDrawRange(0, Math.ceil(share * now.positions.length / 3));
+    uniforms.grow.value = 1.4 / Math.sqrt(share);  // in the sticks' place, too
+    sticks.visible = !quickly && $('style').value !== 'spheres';
+    spheres.visible = !quickly && ($('style').value !== 'sticks' || !!now.picked);
+    if (ringFaces) ringFaces.visible = !quickly;
+    if (surface) {
+      if (quickly && !coarseSurface) coarseSurface = fineSurface.getIndex().count < 30000 ? fineSurface : coarse.clustered(fineSurface, 60);
+      surface.geometry = quickly ? coarseSurface : fineSurface;
+    }
     renderer.render(scene, camera);
-    // The first frames of each way of drawing say whether it is quick enough.
-    if (moving && probes.length < 3) {
-      finished();
-      probes.push(performance.now() - begin);
-      if (probes.length === 3 && Math.min(...probes) > 90 && slowness < 2) {
-        ++slowness;
-        probes = [];
-      }
+    if (moving && probes.length < 3) probe(begin);
+  }
+  // The first frames of each turn, and of each way of drawing, say whether it is quick enough, or too coarse.
+  function probe(begin) {
+    finished();
+    probes.push(performance.now() - begin);
+    if (probes.length < 3) return;
+    const quickest = Math.min(...probes);
+    if (quickest > budget() && (whole || share > leastShare)) {
+      if (!whole) share = Math.max(leastShare, share * Math.min(0.8, 0.8 * budget() / quickest));
+      whole = false;
+      probes = [];
+    } else if (quickest < 0.4 * budget() && share < 1) {
+      share = Math.min(1, 2 * share);
     }
   }
 
@@ -409,6 +436,7 @@
     canvas.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     travelled = 0;
+    probes = [];
   });
   canvas.addEventListener('pointermove', (event) => {
     const last = pointers.get(event.pointerId);
@@ -529,11 +557,11 @@
     now.rings = now.frame.rings ? ringRows(now.frame) : null;
     now.picked = null;
     $('frame-text').textContent = now.frame.label;
-    if (first) resetView();
     layOutBonds();
     paint();
     showRings();
     showCell();
+    if (first) resetView();
   }
   frames[0].columns.forEach((c, i) => $('colour').add(new Option(c.name, i)));
   $('colour').value = contents.colourColumn;
@@ -550,6 +578,7 @@
   $('reset').addEventListener('click', resetView);
   if (frames.length > 1) {
     $('frames').hidden = false;
+    document.querySelectorAll('.of-last').forEach((span) => { span.hidden = false; });
     $('frame').max = frames.length - 1;
     $('frame').value = frames.length - 1;
     $('frame').addEventListener('input', () => showFrame(Number($('frame').value)));
@@ -593,6 +622,7 @@
     },
     atoms: () => now.positions.length / 3,
     value: (a, name) => column(now.frame.columns.find((c) => c.name === name))[a],
+    drawn: () => renderer.info.render.frame,  // frames so far
     turnFor(count) {  // milliseconds of each of some frames while turning, and how they were drawn
       const times = [];
       moving = true;
@@ -605,7 +635,12 @@
       }
       moving = false;
       draw();
-      return { times, slowness };
+      return { times, whole, share };
+    },
+    turnAndStay() {  // as it is drawn while turning, until the next frame
+      moving = true;
+      render();
+      moving = false;
     },
     turn(x, y) {
       view.turn.premultiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(x, y, 0)));
