@@ -281,8 +281,8 @@ void run(const AnalyseCommand& command) {
 }  // namespace
 
 void add_analyse(CLI::App& app) {
-  CLI::App& sub =
-      *app.add_subcommand("analyse", "Report bonds, rings, topology, defects and energies of structures");
+  CLI::App& sub = *app.add_subcommand(
+      "analyse", "Report bonds, rings, defects, topology and energies of structures and trajectories");
   const auto command = std::make_shared<AnalyseCommand>();
   AnalyseCommand& c = *command;
   sub.add_option("FILE", c.files,

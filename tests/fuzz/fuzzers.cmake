@@ -29,7 +29,7 @@ foreach(format off obj ply stl)
   nanocarbon_fuzzer(mesh_${format} SOURCES mesh_fuzzer.cpp check_mesh.cpp DEFINES FUZZED_FILE="a.${format}"
                     ROOMS core mesh mesh_repair mesh_formats)
 endforeach()
-foreach(format data dump xyz cif poscar)
+foreach(format data dump yaml xyz cif poscar)
   nanocarbon_fuzzer(molecule_${format} SOURCES molecule_fuzzer.cpp check_molecule.cpp DEFINES FUZZED_FILE="a.${format}"
                     ROOMS core topology molecule molecule_formats)
 endforeach()

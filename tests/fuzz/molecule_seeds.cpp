@@ -45,6 +45,20 @@ void add_dumps(std::vector<Seed>& seeds) {
        "1 0 4 0\nITEM: ATOMS id typelabel xu yu zu\n1 C 0 0 9\n"});
 }
 
+// Dumps in YAML: two frames, a tilted box, thermodynamic output among it, columns in quotes.
+void add_yaml(std::vector<Seed>& seeds) {
+  seeds.push_back(
+      {"a.yaml",
+       "---\ncreator: LAMMPS\ntimestep: 0\nunits: metal\ntime: 0\nnatoms: 2\nboundary: [ p, p, p, p, f, f, "
+       "]\n"
+       "thermo:\n  - keywords: [ Step, Temp, ]\n  - data: [ 0, 300, ]\nbox:\n  - [ -0.5, 5.5 ]\n  - [ 0, 5 "
+       "]\n"
+       "  - [ 0, 6 ]\n  - [ 0.5, 0, -0.25 ]\nkeywords: [ id, type, mass, x, y, z, 'c_pe[1]',  ]\ndata:\n"
+       "  - [ 1 , 1 , 12.011 , 0 , 0 , 0 , -7.4 , ]\n  - [ 2 , 2 , 1.008 , 1.1 , 0 , 0 , -3 , ]\n...\n"
+       "---\ntimestep: 5\nnatoms: 1\nbox:\n  - [ 0, 5 ]\n  - [ 0, 5 ]\n  - [ 0, 6 ]\n"
+       "keywords: [ id, element, xs, ys, zs, ]\ndata:\n  - [ 1 , C , 0 , 0 , 0.5 , ]\n...\n"});
+}
+
 void add_xyz(std::vector<Seed>& seeds) {
   seeds.push_back(
       {"a.xyz", "3\n\nC 0 0 0\nc2 1.4 0 0\nH 2.4D+00 0.1 -1e-1\n2\nsecond\nC 0 0 0\nC 1.4 0 0 9 9\n"});
@@ -98,6 +112,7 @@ std::vector<Seed> molecule_seeds() {
   std::vector<Seed> seeds;
   add_data(seeds);
   add_dumps(seeds);
+  add_yaml(seeds);
   add_xyz(seeds);
   add_cif(seeds);
   add_poscar(seeds);

@@ -102,5 +102,26 @@ TEST(CrystalFiles, PoscarOfEveryKind) {
               HasSubstr("expected Direct or Cartesian"));
 }
 
+// VASP 5 writes the head once, or before each configuration where the cell changes.
+TEST(CrystalFiles, XdatcarHasFrames) {
+  const auto head = [](const std::string& edge) {
+    return "carbon and hydrogen\n 1\n " + edge + " 0 0\n 0 4 0\n 0 0 8\n C H\n 1 1\n";
+  };
+  const std::string first = "Direct configuration=     1\n 0 0 0\n 0.25 0.5 0.5\n",
+                    second = "Direct configuration=    11\n 0 0 0\n 0.5 0.5 0.25\n";
+  for (const bool changes : {false, true}) {
+    const std::vector<MoleculeFrame> frames =
+        test::read_frames(head("4") + first + (changes ? head("8") : "") + second, "XDATCAR");
+    ASSERT_EQ(frames.size(), 2u);
+    EXPECT_EQ(frames[0].step, 1);
+    EXPECT_EQ(frames[1].step, 11);
+    EXPECT_EQ(frames[0].molecule.positions[1], Vec3(1, 2, 4));
+    EXPECT_EQ(frames[1].molecule.positions[1], Vec3(changes ? 4 : 2, 2, 2));
+    EXPECT_EQ(frames[1].molecule.cell->vectors(0, 0), changes ? 8 : 4);
+    EXPECT_THAT(frames[1].molecule.elements, ElementsAre(Element::carbon, Element::hydrogen));
+  }
+  EXPECT_THAT(error_of(head("4") + first + "\n0 0 0\n"), HasSubstr("expected Direct configuration="));
+}
+
 }  // namespace
 }  // namespace nanocarbon::molecule

@@ -82,7 +82,8 @@ TEST(LammpsDumpReader, GuessesNoElement) {
               ElementsAre(Element::carbon, Element::hydrogen));
   EXPECT_THAT(error_of(types, {.types = {"C"}}), HasSubstr("--types does not say what type 2 is"));
   EXPECT_THAT(error_of(dump("id element x y z", "1 C 1 1 1\n2 Au 2 2 2\n")), HasSubstr("gold"));
-  EXPECT_THAT(error_of(dump("id mass x y z", "1 12.011 1 1 1\n2 1 2 2 2\n")), HasSubstr("no element has a mass of"));
+  EXPECT_THAT(error_of(dump("id mass x y z", "1 12.011 1 1 1\n2 1 2 2 2\n")),
+              HasSubstr("no element has a mass of"));
   // LAMMPS calls all types C where dump_modify element does not say otherwise.
   const std::string unnamed = dump("id type element x y z", "1 1 C 1 1 1\n2 2 C 2 2 2\n");
   EXPECT_THAT(read(unnamed).warnings, ElementsAre(HasSubstr("dump_modify element")));
@@ -99,6 +100,40 @@ TEST(LammpsDumpReader, ErrorsNameFileAndLine) {
               HasSubstr("units lj"));
   EXPECT_THAT(error_of("ITEM: UNITS\nmetal\nITEM: TIME\n0.5\n" + dump("id element x y z", "1 C 1 1 1\n")),
               HasSubstr("the last frame is not whole"));
+}
+
+// As dump yaml writes them.
+std::string yaml(const std::string& columns, const std::string& atoms, const std::string& more = "") {
+  return "---\ncreator: LAMMPS\ntimestep: 100\nnatoms: 2\nboundary: [ p, p, f, f, s, s, ]\n" + more +
+         "box:\n  - [ 0, 4 ]\n  - [ 0, 5 ]\n  - [ 0, 6 ]\nkeywords: [ " + columns + "  ]\ndata:\n" + atoms;
+}
+
+TEST(LammpsYamlReader, TakesWhatOtherDumpsHave) {
+  const std::string text = yaml("id, type, 'c_pe[1]', x, y, z, ",
+                                "  - [ 2 , 2 , -3 , 1 , 1 , 1 , ]\n  - [ 1 , 1 , -7 , 2 , 2.5 , 3 , ]\n...\n",
+                                "thermo:\n  - keywords: [ Step, Temp, ]\n  - data: [ 100, 300, ]\n");
+  const std::vector<MoleculeFrame> frames = test::read_frames(text + text, "a.yaml", {.types = {"C", "H"}});
+  ASSERT_EQ(frames.size(), 2u);
+  for (const MoleculeFrame& frame : frames) {
+    EXPECT_EQ(frame.step, 100);
+    EXPECT_THAT(frame.ids, ElementsAre(1, 2));
+    EXPECT_THAT(frame.molecule.elements, ElementsAre(Element::carbon, Element::hydrogen));
+    EXPECT_EQ(frame.molecule.positions[0], Vec3(2, 2.5, 3));
+    EXPECT_EQ(frame.molecule.cell->periodic, (std::array{true, false, false}));
+    EXPECT_THAT(frame.warnings, ElementsAre());
+  }
+}
+
+TEST(LammpsYamlReader, ErrorsNameFileAndLine) {
+  const auto error = [](const std::string& text) { return test::error_of_text(text, "a.yaml", {}); };
+  const std::string one = "  - [ 1 , C , 1 , 1 , 1 , ]\n", columns = "id, element, x, y, z, ";
+  EXPECT_THAT(error(yaml(columns, one)), HasSubstr("the file ends before atom 2 of 2"));
+  EXPECT_THAT(error(yaml(columns, one + "  - [ 2 , C , 1 , 1 , ]\n")),
+              HasSubstr("a.yaml:13: expected 5 columns"));
+  EXPECT_THAT(error(yaml(columns, one + "---\n")), HasSubstr("a.yaml:13: expected a line - [ ... ]"));
+  EXPECT_THAT(error(yaml(columns, one + one, "units: lj\n")), HasSubstr("a.yaml:6: the dump has units lj"));
+  EXPECT_THAT(error(yaml("id, type, x, y, z, ", one)), HasSubstr("as in --types C H"));
+  EXPECT_THAT(error("---\nnatoms: 2\nkeywords: [ x, y, z ]\ndata:\n"), HasSubstr("there is no box"));
 }
 
 }  // namespace

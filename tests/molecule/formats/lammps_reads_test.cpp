@@ -145,5 +145,44 @@ TEST_F(LammpsReads, Hydrogen) {
   expect_read_back(methane, AtomStyle::full);
 }
 
+// The same atoms, dumped in both ways as they move, from a tilted box.
+TEST_F(LammpsReads, AndItsDumpsInYamlAreAsItsOthers) {
+  Molecule sheet = structures::graphene(3, 2);
+  sheet.cell->vectors.col(1) += 0.4 * sheet.cell->vectors.col(0);  // bonds do not matter here
+  write(sheet, AtomStyle::atomic);
+  std::ofstream(folder / "in.lammps") << "units metal\natom_style atomic\nboundary p p f\nread_data "
+                                         "a.data\npair_style zero 3\npair_coeff * *\n"
+                                         "velocity all create 3000 1\nfix 1 all nve\n"
+                                         "dump 1 all custom 10 a.dump id type element x y z ix iy iz\n"
+                                         "dump 2 all yaml 10 a.yaml id type element x y z ix iy "
+                                         "iz\ndump_modify 2 units yes time yes thermo yes\n"
+                                         "dump_modify 1 element C H format float %.15g\ndump_modify 2 "
+                                         "element C H format float %.15g\nrun 20\n";
+  const std::string command = fmt::format("cd \"{}\" && \"{}\" -in in.lammps -log log.lammps > screen 2>&1",
+                                          folder.string(), NANOCARBON_LMP);
+  const bool done = std::system(command.c_str()) == 0;
+  std::ifstream file(folder / "screen");
+  const std::string screen(std::istreambuf_iterator<char>(file), {});
+  if (screen.find("Unrecognized dump style 'yaml'") != std::string::npos)
+    GTEST_SKIP() << "this LAMMPS has no dump yaml (package EXTRA-DUMP)";
+  ASSERT_TRUE(done) << screen;
+  MoleculeFile custom(folder / "a.dump", {}), yaml(folder / "a.yaml", {});
+  EXPECT_EQ(yaml.format(), MoleculeFormat::lammps_yaml);
+  for (int k = 0; k < 3; ++k) {
+    const auto a = custom.next(), b = yaml.next();
+    ASSERT_TRUE(a && b) << k;
+    EXPECT_EQ(b->step, 10 * k);
+    EXPECT_EQ(a->step, b->step);
+    EXPECT_EQ(a->ids, b->ids);
+    EXPECT_EQ(a->molecule.elements, b->molecule.elements);
+    EXPECT_EQ(a->molecule.positions, b->molecule.positions);
+    EXPECT_EQ(a->molecule.cell->vectors, b->molecule.cell->vectors);
+    EXPECT_EQ(b->molecule.cell->periodic, (std::array{true, true, false}));
+    EXPECT_NE(b->molecule.cell->vectors(0, 1), 0.0);
+  }
+  EXPECT_FALSE(yaml.more());
+  EXPECT_FALSE(yaml.next());
+}
+
 }  // namespace
 }  // namespace nanocarbon::molecule

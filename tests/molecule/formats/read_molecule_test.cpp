@@ -34,6 +34,12 @@ std::string dump_frame(int step, const std::string& atoms) {
          atoms;
 }
 const std::string dump = dump_frame(0, "1 C 0 0 0\n2 C 0 0 1.4\n");
+const std::string yaml =
+    "---\ncreator: LAMMPS\ntimestep: 0\nnatoms: 2\nboundary: [ p, p, p, p, f, f, ]\nbox:\n  - [ 0, 9 ]\n  - "
+    "[ 0, 9 ]\n"
+    "  - [ 0, 9 ]\nkeywords: [ id, element, x, y, z,  ]\ndata:\n  - [ 1 , C , 0 , 0 , 0 , ]\n  - [ 2 , C , 0 "
+    ", 0 , 1.4 , ]\n"
+    "...\n";
 const std::string poscar = "C\n1.0\n9 0 0\n0 9 0\n0 0 9\nC\n2\nCartesian\n0 0 0\n0 0 1.4\n";
 const std::string cif =
     "data_c2\n_cell_length_a 9\n_cell_length_b 9\n_cell_length_c 10\n_cell_angle_alpha 90\n_cell_angle_beta "
@@ -48,11 +54,10 @@ void pack(const std::filesystem::path& path, const std::string& text) {
 }
 
 TEST(ReadMolecule, TellsTheFormatByWhatTheFileHolds) {
-  const std::vector<std::pair<MoleculeFormat, std::string>> texts = {{MoleculeFormat::xyz, xyz},
-                                                                     {MoleculeFormat::lammps_data, data},
-                                                                     {MoleculeFormat::lammps_dump, dump},
-                                                                     {MoleculeFormat::poscar, poscar},
-                                                                     {MoleculeFormat::cif, cif}};
+  const std::vector<std::pair<MoleculeFormat, std::string>> texts = {
+      {MoleculeFormat::xyz, xyz},          {MoleculeFormat::lammps_data, data},
+      {MoleculeFormat::lammps_dump, dump}, {MoleculeFormat::lammps_yaml, yaml},
+      {MoleculeFormat::poscar, poscar},    {MoleculeFormat::cif, cif}};
   const test::TemporaryFolder folder;
   for (const auto& [format, text] : texts)
     for (const std::string file :
@@ -77,6 +82,21 @@ TEST(ReadMolecule, NamesTheKindsThatItDoesNotRead) {
   EXPECT_THAT(error_of_text(std::string("abc\0def", 7), "a.data"), HasSubstr("binary"));
   EXPECT_THAT(error_of_text("HEADER\nATOM      1  C   MOL     1       0.000   0.000   0.000\n", "a.pdb"),
               HasSubstr("PDB"));
+  EXPECT_THAT(error_of_text("CRYST1   10.000   10.000   10.000  90.00  90.00  90.00 P 1\n", "a"),
+              HasSubstr("PDB"));
+  EXPECT_THAT(error_of_text("- of UlmASE-Trajectory", "a.traj"),
+              testing::AllOf(HasSubstr("a trajectory of ASE"), HasSubstr("-m ase convert FILE new.xyz")));
+  EXPECT_THAT(error_of_text(std::string("SQLite format 3\0", 16), "a.db"), HasSubstr("database"));
+  EXPECT_THAT(error_of_text("{\"1\": {\n \"cell\": {}}}\n", "a.json"), HasSubstr("JSON"));
+  EXPECT_THAT(error_of_text("<?xml version=\"1.0\"?>\n<modeling>\n", "vasprun.xml"), HasSubstr("XML"));
+  EXPECT_THAT(error_of_text(std::string("T\0\0\0CORD\0\0", 10), "a.dcd"), HasSubstr("DCD"));
+  EXPECT_THAT(error_of_text(std::string("\xf6\xff\xff\xff\xff\xff\xff\xff"
+                                        "DUMPCUSTOM\1\0",
+                                        20),
+                            "a.bin"),
+              HasSubstr("binary2txt"));
+  EXPECT_THAT(error_of_text("---\nkeywords: ['Step', 'Temp', ]\ndata:\n  - [0, 300, ]\n...\n", "log"),
+              HasSubstr("begins with \"---\""));
   EXPECT_THAT(error_of_text("units metal\nread_data x.data\n", "in.graphene"), HasSubstr("LAMMPS script"));
   EXPECT_THAT(error_of_text("OFF\n3 1 0\n", "a.off"), HasSubstr("nanocarbon build"));
   EXPECT_THAT(error_of_text("hello\n", "a.txt"), HasSubstr("begins with \"hello\""));

@@ -3,16 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
+#include <string>
 
-#include "nanocarbon/core/error.h"
+#include "nanocarbon/molecule/formats/lammps_dump_atoms.h"
 
 namespace nanocarbon::molecule {
 namespace {
 
 using Words = std::vector<std::string_view>;
-using Column = std::optional<std::size_t>;
 
 void need_line(TextInput& input, std::string_view what) {
   if (!input.next_line())
@@ -26,29 +24,13 @@ std::string_view item(std::string_view line) {
 }
 
 // ITEM: BOX BOUNDS [xy xz yz | abc origin] [pp pp ff], and its three lines.
-struct Box {
-  Cell cell;
-  bool says_boundary = false;
-};
-
-void parse_boundary(const TextInput& input, const Words& words, std::size_t first, Box& box) {
-  if (words.size() != first + 3)
-    input.fail("expected ITEM: BOX BOUNDS and a boundary each way, such as pp pp ff");
-  box.says_boundary = true;
-  for (std::size_t d = 0; d < 3; ++d) {
-    if (words[first + d].find_first_not_of("pfsm") != std::string_view::npos)
-      input.fail(fmt::format("'{}' is not a LAMMPS boundary (pp, ff, ss, ...)", shown(words[first + d])));
-    box.cell.periodic[d] = words[first + d] == "pp";
-  }
-}
-
-Box read_box(TextInput& input, std::string_view header) {
+DumpBox read_box(TextInput& input, std::string_view header) {
   Words words;
   split_words(header, words);  // BOX BOUNDS ...
-  Box box;
+  DumpBox box;
   const bool tilted = words.size() >= 5 && words[2] == "xy", general = words.size() >= 4 && words[2] == "abc";
   const std::size_t first = tilted ? 5 : general ? 4 : 2;
-  if (words.size() > first) parse_boundary(input, words, first, box);
+  if (words.size() > first) take_boundary(input, std::span(words).subspan(first), box);
   double rows[3][4] = {};
   const std::size_t columns = general ? 4 : tilted ? 3 : 2;
   for (auto& row : rows) {
@@ -57,160 +39,23 @@ Box read_box(TextInput& input, std::string_view header) {
     if (words.size() != columns) input.fail(fmt::format("expected the {} numbers of a box bound", columns));
     for (std::size_t k = 0; k < columns; ++k) row[k] = input.coordinate(words[k], "a box bound");
   }
-  Mat3& m = box.cell.vectors;
-  m.setZero();
   if (general) {
     for (int d = 0; d < 3; ++d) {
-      m.col(d) = Vec3(rows[d][0], rows[d][1], rows[d][2]);
+      box.cell.vectors.col(d) = Vec3(rows[d][0], rows[d][1], rows[d][2]);
       box.cell.origin[d] = rows[d][3];
     }
     return box;
   }
-  const double xy = rows[0][2], xz = rows[1][2], yz = rows[2][2];
-  const double low[] = {rows[0][0] - std::min({0.0, xy, xz, xy + xz}), rows[1][0] - std::min(0.0, yz),
-                        rows[2][0]};
-  const double high[] = {rows[0][1] - std::max({0.0, xy, xz, xy + xz}), rows[1][1] - std::max(0.0, yz),
-                         rows[2][1]};
-  for (int d = 0; d < 3; ++d) {
-    if (!(high[d] > low[d]))
-      input.fail(fmt::format("the box has no extent along {}: {} to {}", "xyz"[d], low[d], high[d]));
-    box.cell.origin[d] = low[d];
-    m(d, d) = high[d] - low[d];
-  }
-  m(0, 1) = xy;
-  m(0, 2) = xz;
-  m(1, 2) = yz;
+  const double bounds[3][2] = {{rows[0][0], rows[0][1]}, {rows[1][0], rows[1][1]}, {rows[2][0], rows[2][1]}};
+  take_bounds(input, bounds, Vec3(rows[0][2], rows[1][2], rows[2][2]), box);
   return box;
 }
-
-struct Columns {
-  std::size_t count = 0;
-  Column id, type, element, mass;
-  std::size_t position[3] = {};
-  bool scaled = false;
-  Column image[3];
-};
-
-Columns parse_columns(const TextInput& input, std::string_view header) {
-  Words names;
-  split_words(header, names);
-  names.erase(names.begin());  // ATOMS
-  const auto column = [&](std::string_view name) -> Column {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? Column() : Column(static_cast<std::size_t>(found - names.begin()));
-  };
-  Columns columns;
-  columns.count = names.size();
-  columns.id = column("id");
-  columns.type = column("type");
-  columns.element = column("element") ? column("element") : column("typelabel");
-  columns.mass = column("mass");
-  for (const std::string_view suffix : {"u", "", "su", "s"}) {
-    Column found[3];
-    for (std::size_t d = 0; d < 3; ++d) found[d] = column(std::string{"xyz"[d]} + std::string(suffix));
-    if (!found[0] || !found[1] || !found[2]) continue;
-    for (std::size_t d = 0; d < 3; ++d) {
-      columns.position[d] = *found[d];
-      if (!suffix.ends_with("u")) columns.image[d] = column(std::string{'i', "xyz"[d]});
-    }
-    columns.scaled = suffix.starts_with("s");
-    if (!columns.image[0] || !columns.image[1] || !columns.image[2])
-      for (Column& image : columns.image) image.reset();
-    return columns;
-  }
-  input.fail("no columns hold positions (x y z, xu yu zu, xs ys zs or xsu ysu zsu)");
-}
-
-// The element of the atom on the current line, each type, name or mass worked out once.
-class ElementColumn {
- public:
-  ElementColumn(const TextInput& input, const Columns& columns, ReadSettings& settings)
-      : columns_(columns), types_(settings.types), species_(settings.types) {
-    if (columns.element || columns.mass || (columns.type && !types_.empty())) return;
-    throw UserError(Failure::unsuitable,
-                    fmt::format("{}:{}: no column says what the atoms are (element or mass): {}",
-                                input.name(), input.number(),
-                                columns.type ? "give the elements of the types, as in --types C H"
-                                             : "write the dump again with a column element or type"));
-  }
-
-  Element of(const TextInput& input, const Words& words) {
-    if (columns_.type && !types_.empty())
-      if (const auto said = said_of(input, words[*columns_.type])) return *said;
-    if (columns_.element) {
-      const std::string_view name = words[*columns_.element];
-      if (columns_.type) note(words[*columns_.type], name);
-      return species_.of_name(input, name);
-    }
-    if (columns_.mass) return of_mass(input, words[*columns_.mass]);
-    throw UserError(Failure::unsuitable,
-                    fmt::format("{}:{}: --types does not say what type {} is", input.name(), input.number(),
-                                shown(words[*columns_.type])));
-  }
-
-  // LAMMPS calls every type C unless dump_modify element says otherwise.
-  std::string doubt() const {
-    if (name_of_type_.size() < 2) return {};
-    for (const auto& [type, name] : name_of_type_)
-      if (name != "C") return {};
-    return fmt::format(
-        "all {} atom types are called C, which is LAMMPS's default without dump_modify element; if some are "
-        "not carbon, say so with --types",
-        name_of_type_.size());
-  }
-
- private:
-  void note(std::string_view type, std::string_view name) {
-    if (type == noted_) return;
-    noted_ = type;
-    name_of_type_.try_emplace(noted_, name);
-  }
-
-  std::optional<Element> said_of(const TextInput& input, std::string_view type) {
-    auto known = known_types_.find(type);
-    if (known == known_types_.end()) {
-      std::optional<Element> element;
-      if (const auto z = types_.find(type))
-        element = carbon_or_hydrogen(*z, fmt::format("{}:{}", input.name(), input.number()),
-                                     fmt::format("atom type {} (by --types)", shown(type)));
-      known = known_types_.emplace(type, element).first;
-    }
-    return known->second;
-  }
-
-  Element of_mass(const TextInput& input, std::string_view word) {
-    auto known = known_masses_.find(word);
-    if (known == known_masses_.end()) {
-      const std::string where = fmt::format("{}:{}", input.name(), input.number());
-      const auto z = atomic_number_of_mass(input.real(word, "a mass"));
-      if (!z || word == "1")
-        throw UserError(
-            Failure::unsuitable,
-            fmt::format(
-                "{}: no element has a mass of {} g/mol: give the elements of the types, as in --types C H",
-                where, shown(word)));
-      known =
-          known_masses_
-              .emplace(word, carbon_or_hydrogen(*z, where, fmt::format("an atom of mass {}", shown(word))))
-              .first;
-    }
-    return known->second;
-  }
-
-  const Columns& columns_;
-  TypeNames& types_;
-  SpeciesReader species_;
-  std::map<std::string, std::optional<Element>, std::less<>> known_types_;
-  std::map<std::string, Element, std::less<>> known_masses_;
-  std::map<std::string, std::string> name_of_type_;
-  std::string noted_;
-};
 
 // The numbers of the frame's ITEMs that come before its atoms.
 struct Header {
   std::optional<std::int64_t> step;
   std::optional<std::size_t> atoms;
-  std::optional<Box> box;
+  std::optional<DumpBox> box;
 };
 
 // Reads up to and with the line ITEM: ATOMS, which it leaves as the current one.
@@ -242,6 +87,99 @@ Header read_header(TextInput& input) {
   }
 }
 
+std::string_view unquoted(std::string_view word) {
+  if (word.size() >= 2 && (word.front() == '\'' || word.front() == '"') && word.back() == word.front())
+    return word.substr(1, word.size() - 2);
+  return word;
+}
+
+// The members of a list in brackets. LAMMPS leaves a comma after the last.
+void read_list(const TextInput& input, std::string_view text, Words& words) {
+  text = trimmed(text);
+  if (!text.starts_with('[') || !text.ends_with(']')) input.fail("expected a list in brackets: [ ... ]");
+  text = text.substr(1, text.size() - 2);
+  words.clear();
+  while (!trimmed(text).empty()) {
+    const std::size_t comma = text.find(',');
+    words.push_back(unquoted(trimmed(text.substr(0, comma))));
+    text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+  }
+}
+
+// The same of a line that is a member of a list itself: - [ ... ]
+void read_row(const TextInput& input, Words& words) {
+  const std::string_view line = trimmed(input.line());
+  if (!line.starts_with("- ")) input.fail("expected a line - [ ... ]");
+  read_list(input, line.substr(1), words);
+}
+
+// box: three lines with the bounds, and one with the tilts where it is tilted.
+void read_yaml_box(TextInput& input, DumpBox& box) {
+  Words words;
+  double bounds[3][2];
+  Vec3 tilts = Vec3::Zero();
+  for (auto& row : bounds) {
+    need_line(input, "the end of the box");
+    read_row(input, words);
+    if (words.size() != 2) input.fail("expected the 2 numbers of a box bound");
+    for (std::size_t k = 0; k < 2; ++k) row[k] = input.coordinate(words[k], "a box bound");
+  }
+  if (input.next_line()) {
+    if (trimmed(input.line()).starts_with("- ")) {
+      read_row(input, words);
+      if (words.size() != 3) input.fail("expected the tilts of the box: xy, xz and yz");
+      for (std::size_t k = 0; k < 3; ++k) tilts[static_cast<int>(k)] = input.coordinate(words[k], "a tilt");
+    } else {
+      input.give_back_line();
+    }
+  }
+  take_bounds(input, bounds, tilts, box);
+}
+
+// What stands before the atoms.
+struct YamlHeader {
+  std::optional<std::int64_t> step;
+  std::optional<std::size_t> atoms;
+  DumpBox box;
+  bool has_box = false;
+  std::vector<std::string> columns;
+};
+
+// Reads up to and with the line data:
+YamlHeader read_yaml_header(TextInput& input) {
+  YamlHeader header;
+  Words words;
+  for (;; need_line(input, "the atoms")) {
+    const std::string_view line = input.line();
+    if (trimmed(line) == "---" || line.starts_with(' ')) continue;  // of thermo: two lines
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos) input.fail("expected a key and a colon of a YAML dump");
+    const std::string_view key = trimmed(line.substr(0, colon)), value = trimmed(line.substr(colon + 1));
+    if (key == "data") return header;
+    if (key == "timestep") header.step = input.integer(value, "the time step");
+    if (key == "natoms") header.atoms = input.count(value, "atoms");
+    if (key == "units" && value != "metal" && value != "real")
+      input.fail("the dump has units " + shown(value) + "; its lengths must be in Angstrom (metal or real)");
+    if (key == "boundary") {
+      read_list(input, value, words);  // two letters each way
+      if (words.size() != 6) input.fail("expected a boundary each way, such as [ p, p, p, p, f, f, ]");
+      const std::string ways[] = {std::string(words[0]) + std::string(words[1]),
+                                  std::string(words[2]) + std::string(words[3]),
+                                  std::string(words[4]) + std::string(words[5])};
+      const std::string_view letters[] = {ways[0], ways[1], ways[2]};
+      take_boundary(input, letters, header.box);
+    }
+    if (key == "box") {
+      read_yaml_box(input, header.box);
+      header.has_box = true;
+    }
+    if (key == "keywords") {
+      read_list(input, value, words);
+      header.columns.assign(words.begin(), words.end());
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<MoleculeFrame> read_lammps_dump_frame(TextInput& input, ReadSettings& settings) {
@@ -249,49 +187,38 @@ std::optional<MoleculeFrame> read_lammps_dump_frame(TextInput& input, ReadSettin
   const Header header = read_header(input);
   if (!header.atoms) input.fail("there is no ITEM: NUMBER OF ATOMS before the atoms");
   if (!header.box) input.fail("there is no ITEM: BOX BOUNDS before the atoms");
-  const Columns columns = parse_columns(input, item(input.line()));
-  const std::size_t atoms = *header.atoms;
-
+  Words words;
+  split_words(item(input.line()), words);  // ATOMS ...
   MoleculeFrame frame;
   frame.step = header.step;
-  const Mat3 vectors = header.box->cell.vectors;
-  const Vec3 origin = header.box->cell.origin;
-  frame.molecule.cell = cell_as_read(input, header.box->cell, settings);
-  if (!header.box->says_boundary && !settings.periodic)
-    frame.warnings.push_back(
-        "the dump does not say which directions are periodic; all are taken to be (if not, give them, as in "
-        "--boundary 'p p f')");
-  frame.molecule.positions.reserve(room_for(atoms));
-  frame.molecule.elements.reserve(room_for(atoms));
-  frame.ids.reserve(room_for(atoms));
-  ElementColumn elements(input, columns, settings);
-  Words words;
-  for (std::size_t i = 0; i < atoms; ++i) {
-    need_line(input, fmt::format("atom {} of {}", i + 1, atoms));
+  DumpAtoms atoms(input, std::span(words).subspan(1), *header.atoms, *header.box, settings, frame);
+  for (std::size_t i = 0; i < *header.atoms; ++i) {
+    need_line(input, fmt::format("atom {} of {}", i + 1, *header.atoms));
     split_words(input.line(), words);
-    if (words.size() != columns.count)
-      input.fail(fmt::format("expected {} columns for atom {} of {}, found {}", columns.count, i + 1, atoms,
-                             words.size()));
-    Vec3 position;
-    for (std::size_t d = 0; d < 3; ++d)
-      position[static_cast<int>(d)] = input.coordinate(words[columns.position[d]], "a coordinate");
-    if (columns.scaled) position = origin + vectors * position;
-    for (std::size_t d = 0; d < 3; ++d) {
-      if (!columns.image[d]) continue;
-      const std::int64_t image = input.integer(words[*columns.image[d]], "an image flag");
-      if (image < -1000000 || image > 1000000)
-        input.fail(fmt::format("the image flag {} is out of bounds", image));
-      if (image != 0) position += static_cast<double>(image) * vectors.col(static_cast<int>(d));
-    }
-    frame.molecule.elements.push_back(elements.of(input, words));
-    frame.molecule.positions.push_back(position);
-    frame.ids.push_back(columns.id ? input.integer(words[*columns.id], "an atom-ID")
-                                   : static_cast<std::int64_t>(i) + 1);
+    atoms.add(input, words);
   }
-  if (const auto twice = sort_by_id(frame))
-    input.fail_at(input.number(),
-                  fmt::format("of the atoms that end on this line, more than one has the ID {}", *twice));
-  if (const std::string doubt = elements.doubt(); !doubt.empty()) frame.warnings.push_back(doubt);
+  atoms.finish(input);
+  return frame;
+}
+
+std::optional<MoleculeFrame> read_lammps_yaml_frame(TextInput& input, ReadSettings& settings) {
+  if (!input.next_line_with_text()) return std::nullopt;
+  const YamlHeader header = read_yaml_header(input);
+  if (!header.atoms) input.fail("there is no natoms: before the atoms");
+  if (!header.has_box) input.fail("there is no box: before the atoms");
+  const Words columns(header.columns.begin(), header.columns.end());
+  MoleculeFrame frame;
+  frame.step = header.step;
+  DumpAtoms atoms(input, columns, *header.atoms, header.box, settings, frame);
+  Words words;
+  for (std::size_t i = 0; i < *header.atoms; ++i) {
+    need_line(input, fmt::format("atom {} of {}", i + 1, *header.atoms));
+    read_row(input, words);
+    atoms.add(input, words);
+  }
+  atoms.finish(input);
+  // A run that was cut off may lack the mark of the end.
+  if (input.next_line_with_text() && trimmed(input.line()) != "...") input.give_back_line();
   return frame;
 }
 

@@ -15,4 +15,9 @@ namespace nanocarbon::molecule {
 //! \throw UserError (malformed; unsuitable, also where no column says what the atoms are)
 std::optional<MoleculeFrame> read_lammps_dump_frame(TextInput& input, ReadSettings& settings);
 
+//! \brief The same of a dump in YAML (dump yaml).
+//! \details A document each frame, as LAMMPS lays it out: a key each line, each bound and each atom a list in
+//! brackets on a line of its own.
+std::optional<MoleculeFrame> read_lammps_yaml_frame(TextInput& input, ReadSettings& settings);
+
 }  // namespace nanocarbon::molecule

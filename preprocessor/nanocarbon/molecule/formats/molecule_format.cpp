@@ -89,12 +89,20 @@ bool is_cif(const Lines& lines) {
   return std::any_of(lines.begin(), lines.end(), [](std::string_view line) { return line.starts_with("_"); });
 }
 
+// Thermodynamic output may be YAML, too, without atoms.
+bool is_yaml_dump(const Lines& lines, std::size_t first) {
+  if (first >= lines.size() || lines[first] != "---") return false;
+  return std::any_of(lines.begin(), lines.end(),
+                     [](std::string_view line) { return line.starts_with("natoms:"); });
+}
+
 [[noreturn]] void refuse(const std::string& file, std::string_view what) {
   throw UserError(
       Failure::malformed,
       fmt::format(
-          "{}: {}; the formats that are read are LAMMPS data files and text dumps, XYZ, CIF and POSCAR", file,
-          what));
+          "{}: {}. The formats that are read are LAMMPS data files and text dumps, XYZ, CIF and POSCAR; ASE "
+          "makes XYZ of many others, as in: python3 -m ase convert FILE new.xyz",
+          file, what));
 }
 
 void refuse_by_kind(std::string_view head, const Lines& lines, const std::string& file) {
@@ -111,16 +119,26 @@ void refuse_by_kind(std::string_view head, const Lines& lines, const std::string
   if (head.starts_with("LammpS RestartT"))
     refuse(file,
            "it is a restart file of LAMMPS; write a data file from it (write_data, or lmp -restart2data)");
+  if (head.starts_with("- of Ulm")) refuse(file, "it is a trajectory of ASE");
+  if (head.starts_with("SQLite format 3")) refuse(file, "it is a database (SQLite), perhaps of ASE");
   if (head.starts_with("CDF") || head.starts_with("\x89HDF")) refuse(file, "it is a NetCDF or HDF5 file");
+  const std::string_view beginning = head.substr(0, 64);
+  if (beginning.find("DUMPCUSTOM") != std::string_view::npos ||
+      beginning.find("DUMPATOM") != std::string_view::npos)
+    refuse(file, "it is a binary dump of LAMMPS; turn it into text by LAMMPS's tool binary2txt");
+  if (head.size() > 8 && head.substr(4, 4) == "CORD")
+    refuse(file, "it is a DCD trajectory, which has no elements; write an XYZ file or a dump instead");
   if (head.find('\0') != std::string_view::npos) refuse(file, "it is a binary file");
   for (const std::string_view line : lines) {
-    if (line.starts_with("ATOM  ") || line.starts_with("HETATM"))
+    if (line.starts_with("ATOM  ") || line.starts_with("HETATM") || line.starts_with("CRYST1"))
       refuse(file, "it is a PDB file; convert it to XYZ, for example with ASE or OVITO");
     if (line.starts_with("@<TRIPOS>"))
       refuse(file, "it is a mol2 file; convert it to XYZ, for example with Open Babel");
     if (line.starts_with("pair_style ") || line.starts_with("read_data "))
       refuse(file, "it is a LAMMPS script; give the data file that it reads");
   }
+  if (!lines.empty() && lines[0].starts_with("<?xml")) refuse(file, "it is XML, perhaps of VASP");
+  if (!lines.empty() && lines[0].starts_with("{")) refuse(file, "it is JSON, perhaps of ASE");
   if (!lines.empty() && (lines[0] == "OFF" || lines[0] == "ply" || lines[0].starts_with("solid ")))
     refuse(file, "it is a mesh; make a molecule from it with nanocarbon build");
 }
@@ -136,16 +154,19 @@ std::optional<MoleculeFormat> format_of_name(std::string file) {
   if (ends({".data", ".lmp", ".lammps", ".lmpdat"}) || base.starts_with("data."))
     return MoleculeFormat::lammps_data;
   if (ends({".dump", ".lammpstrj"}) || base.starts_with("dump.")) return MoleculeFormat::lammps_dump;
+  if (ends({".yaml", ".yml"})) return MoleculeFormat::lammps_yaml;
   if (ends({".xyz", ".extxyz"})) return MoleculeFormat::xyz;
   if (ends({".cif"})) return MoleculeFormat::cif;
-  if (ends({".poscar", ".vasp"}) || base == "poscar" || base == "contcar") return MoleculeFormat::poscar;
+  if (ends({".poscar", ".vasp"}) || base == "poscar" || base == "contcar" || base == "xdatcar")
+    return MoleculeFormat::poscar;
   return std::nullopt;
 }
 
 }  // namespace
 
 std::string_view name(MoleculeFormat format) {
-  constexpr std::string_view names[] = {"LAMMPS data", "LAMMPS dump", "XYZ", "CIF", "POSCAR"};
+  constexpr std::string_view names[] = {"LAMMPS data", "LAMMPS dump", "LAMMPS YAML dump",
+                                        "XYZ",         "CIF",         "POSCAR"};
   return names[static_cast<std::size_t>(format)];
 }
 
@@ -154,6 +175,7 @@ MoleculeFormat recognise_molecule(std::string_view head, const std::string& file
   std::size_t first = 0;
   while (first < lines.size() && lines[first].empty()) ++first;
   if (first < lines.size() && lines[first].starts_with("ITEM:")) return MoleculeFormat::lammps_dump;
+  if (is_yaml_dump(lines, first)) return MoleculeFormat::lammps_yaml;
   if (is_poscar(lines)) return MoleculeFormat::poscar;
   if (is_xyz(lines, first)) return MoleculeFormat::xyz;
   if (is_data(lines)) return MoleculeFormat::lammps_data;

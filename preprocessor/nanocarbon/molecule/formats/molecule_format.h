@@ -7,7 +7,7 @@
 namespace nanocarbon::molecule {
 
 //! The formats that molecules are read from.
-enum class MoleculeFormat { lammps_data, lammps_dump, xyz, cif, poscar };
+enum class MoleculeFormat { lammps_data, lammps_dump, lammps_yaml, xyz, cif, poscar };
 
 std::string_view name(MoleculeFormat format);
 

@@ -44,60 +44,105 @@ Vec3 scale_vectors(const TextInput& input, const Words& words, Mat3& vectors) {
   return factors;
 }
 
-}  // namespace
+// What stands before the positions.
+struct Head {
+  std::string title;
+  Cell cell;                     // as written
+  std::optional<Cell> periodic;  // the molecule's
+  Vec3 factors = Vec3::Ones();
+  std::vector<Element> elements;  // of each kind of atoms
+  std::vector<std::size_t> counts;
+};
 
-MoleculeFrame read_poscar(TextInput& input, ReadSettings& settings) {
+Head read_head(TextInput& input, ReadSettings& settings) {
+  Head head;
   next_words(input, "its title");
+  head.title = trimmed(input.line());
   Words scale = next_words(input, "the scale");
   if (scale.empty()) input.fail("expected the scale");
   std::vector<std::string> kept(scale.begin(), scale.end());
-  Cell cell;
   for (int d = 0; d < 3; ++d)
-    cell.vectors.col(d) = three_numbers(input, next_words(input, "the vectors"), "a vector");
-  const Vec3 factors = scale_vectors(input, Words(kept.begin(), kept.end()), cell.vectors);
-
-  MoleculeFrame frame;
-  frame.molecule.cell = cell_as_read(input, cell, settings);
+    head.cell.vectors.col(d) = three_numbers(input, next_words(input, "the vectors"), "a vector");
+  head.factors = scale_vectors(input, Words(kept.begin(), kept.end()), head.cell.vectors);
+  head.periodic = cell_as_read(input, head.cell, settings);
   SpeciesReader species(settings.types);
-  std::vector<Element> elements;
   Words words = next_words(input, "the elements");
   if (words.empty()) input.fail("expected the elements or the numbers of atoms");
   std::int64_t number = 0;
   const bool named = !parse_integer(words[0], number);
   if (named) {
-    for (const std::string_view word : words) elements.push_back(species.of_name(input, word));
+    for (const std::string_view word : words) head.elements.push_back(species.of_name(input, word));
     words = next_words(input, "the numbers of atoms");
-    if (words.size() != elements.size())
-      input.fail(fmt::format("expected {} numbers of atoms, one for each element", elements.size()));
+    if (words.size() != head.elements.size())
+      input.fail(fmt::format("expected {} numbers of atoms, one for each element", head.elements.size()));
   }
-  std::vector<std::size_t> counts;
   for (std::size_t k = 0; k < words.size(); ++k) {
-    counts.push_back(input.count(words[k], "atoms"));
-    if (!named && counts.back() > 0) {
+    head.counts.push_back(input.count(words[k], "atoms"));
+    if (!named && head.counts.back() > 0) {
       if (settings.types.empty())
         throw UserError(Failure::unsuitable,
                         fmt::format("{}:{}: the file does not name its elements (VASP 5 does before this "
                                     "line): give them, as in --types C H",
                                     input.name(), input.number()));
-      elements.push_back(species.of_name(input, fmt::format("{}", k + 1)));
+      head.elements.push_back(species.of_name(input, fmt::format("{}", k + 1)));
     } else if (!named) {
-      elements.push_back(Element::carbon);
+      head.elements.push_back(Element::carbon);
     }
   }
-  words = next_words(input, "Direct or Cartesian");
-  const auto initial = [&] { return words.empty() ? ' ' : lower_case(words[0])[0]; };
-  if (initial() == 's') words = next_words(input, "Direct or Cartesian");
-  const bool cartesian = initial() == 'c' || initial() == 'k';
-  if (!cartesian && initial() != 'd') input.fail("expected Direct or Cartesian");
-  for (std::size_t k = 0; k < counts.size(); ++k)
-    for (std::size_t i = 0; i < counts[k]; ++i) {
+  return head;
+}
+
+// The number at the end of a line "Direct configuration= 7", by which VASP begins each frame of an XDATCAR.
+std::optional<std::int64_t> configuration(std::string_view line) {
+  if (!lower_case(trimmed(line)).starts_with("direct configuration")) return std::nullopt;
+  std::int64_t number = 0;
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos || !parse_integer(trimmed(line.substr(equals + 1)), number)) return 0;
+  return number;
+}
+
+MoleculeFrame read_positions(TextInput& input, const Head& head, bool cartesian) {
+  MoleculeFrame frame;
+  frame.molecule.cell = head.periodic;
+  for (std::size_t k = 0; k < head.counts.size(); ++k)
+    for (std::size_t i = 0; i < head.counts[k]; ++i) {
       const Vec3 p =
           three_numbers(input, next_words(input, fmt::format("atom {}", frame.ids.size() + 1)), "a position");
-      frame.molecule.positions.push_back(cartesian ? Vec3(factors.cwiseProduct(p)) : Vec3(cell.vectors * p));
-      frame.molecule.elements.push_back(elements[k]);
+      frame.molecule.positions.push_back(cartesian ? Vec3(head.factors.cwiseProduct(p))
+                                                   : Vec3(head.cell.vectors * p));
+      frame.molecule.elements.push_back(head.elements[k]);
       frame.ids.push_back(static_cast<std::int64_t>(frame.ids.size()) + 1);
     }
   return frame;
+}
+
+}  // namespace
+
+std::vector<MoleculeFrame> read_poscar(TextInput& input, ReadSettings& settings) {
+  Head head = read_head(input, settings);
+  Words words = next_words(input, "Direct or Cartesian");
+  const auto initial = [&] { return words.empty() ? ' ' : lower_case(words[0])[0]; };
+  std::vector<MoleculeFrame> frames;
+  std::optional<std::int64_t> number = configuration(input.line());
+  if (!number) {
+    if (initial() == 's') words = next_words(input, "Direct or Cartesian");
+    const bool cartesian = initial() == 'c' || initial() == 'k';
+    if (!cartesian && initial() != 'd') input.fail("expected Direct or Cartesian");
+    frames.push_back(read_positions(input, head, cartesian));
+    return frames;
+  }
+  for (;;) {
+    frames.push_back(read_positions(input, head, false));
+    frames.back().step = number;
+    if (!input.next_line_with_text()) return frames;
+    if (trimmed(input.line()) == head.title) {  // where the cell changes, all of it comes again
+      input.give_back_line();
+      head = read_head(input, settings);
+      if (!input.next_line()) input.fail_at(input.number(), "the file ends before the positions");
+    }
+    number = configuration(input.line());
+    if (!number) input.fail("expected Direct configuration= and its number");
+  }
 }
 
 }  // namespace nanocarbon::molecule

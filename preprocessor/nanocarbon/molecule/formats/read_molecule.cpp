@@ -32,6 +32,8 @@ struct MoleculeFile::Reader {
     switch (format) {
       case MoleculeFormat::lammps_dump:
         return read_lammps_dump_frame(input, settings);
+      case MoleculeFormat::lammps_yaml:
+        return read_lammps_yaml_frame(input, settings);
       case MoleculeFormat::xyz:
         return read_xyz_frame(input, settings);
       default:
@@ -39,11 +41,12 @@ struct MoleculeFile::Reader {
     }
     if (!whole_file_read) {
       whole_file_read = true;
-      if (format == MoleculeFormat::cif)
-        for (MoleculeFrame& frame : read_cif(input, settings)) frames.push_back(std::move(frame));
+      if (format == MoleculeFormat::lammps_data)
+        frames.push_back(read_lammps_data(input, settings));
       else
-        frames.push_back(format == MoleculeFormat::poscar ? read_poscar(input, settings)
-                                                          : read_lammps_data(input, settings));
+        for (MoleculeFrame& frame :
+             format == MoleculeFormat::cif ? read_cif(input, settings) : read_poscar(input, settings))
+          frames.push_back(std::move(frame));
     }
     if (frames.empty()) return std::nullopt;
     MoleculeFrame frame = std::move(frames.front());
@@ -52,7 +55,8 @@ struct MoleculeFile::Reader {
   }
 
   bool more() {
-    if (format == MoleculeFormat::lammps_dump || format == MoleculeFormat::xyz) {
+    if (format == MoleculeFormat::lammps_dump || format == MoleculeFormat::lammps_yaml ||
+        format == MoleculeFormat::xyz) {
       if (!input.next_line_with_text()) return false;
       input.give_back_line();
       return true;
