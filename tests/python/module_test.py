@@ -194,15 +194,15 @@ class Building(unittest.TestCase):
 
     def test_other_threads_run_meanwhile_and_ctrl_c_ends_it(self):
         ticks = []
-        interrupt = threading.Timer(1.0, _thread.interrupt_main)
+        used = []  # CPU seconds, which other work on the machine leaves alone
+        interrupt = threading.Timer(1.0, lambda: (used.append(time.process_time()), _thread.interrupt_main()))
         ticker = threading.Thread(target=lambda: [ticks.append(time.sleep(0.02)) for _ in range(40)])
-        begin = time.monotonic()
         ticker.start()
         interrupt.start()
         with self.assertRaises(KeyboardInterrupt):
             nc.build(nc.make.torus(), atoms=4000, quality="best", threads=1)
         self.assertGreater(len(ticks), 5)
-        self.assertLess(time.monotonic() - begin, 100.0)
+        self.assertLess(time.process_time() - used[0], 3.0)
 
 
 class Pages(unittest.TestCase):

@@ -111,12 +111,12 @@ class Annealer {
     for (int block = 0; block < options_.blocks && !defects_.list().empty(); ++block) {
       const double progress = options_.blocks > 1 ? static_cast<double>(block) / (options_.blocks - 1) : 1;
       terms_.temperature = options_.hot * std::pow(options_.cold / options_.hot, progress);
-      run_block();
+      run_block(block);
       refused_.next_block();
       compact_state();
       const double energy = relax_state(state_, surface_, 150, 0.02);
       const double per_atom = energy / static_cast<double>(atoms_);
-      if (options_.progress) options_.progress(block, per_atom, atoms_, defects_.list().size());
+      tell(block, 1);
       if (score(energy) < best_score) {
         best_score = score(energy);
         best = state_;
@@ -136,7 +136,11 @@ class Annealer {
   }
   double above() const { return static_cast<double>(atoms_) - static_cast<double>(target_); }
 
-  void run_block() {
+  void tell(int block, double share_of_block) const {
+    if (options_.progress) options_.progress((block + share_of_block) / options_.blocks);
+  }
+
+  void run_block(int block) {
     const auto trials =
         static_cast<std::size_t>(options_.trials_per_defect * static_cast<double>(defects_.list().size()));
     std::size_t since_relaxation = 0;
@@ -158,6 +162,8 @@ class Annealer {
         relax_state(state_, surface_, 15, 0.02);
         since_relaxation = 0;
       }
+      const std::size_t left = enough - std::min(enough, result_.trials);
+      tell(block, 1.0 - static_cast<double>(left) / static_cast<double>(trials));
     }
   }
 

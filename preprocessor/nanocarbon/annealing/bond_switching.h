@@ -20,9 +20,8 @@ struct BondSwitchingOptions {
   long largest_ring = 7;           //!< atoms in a ring; 8 where all of the surface is a saddle
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  //! Called after each block; may be empty.
-  std::function<void(int block, double energy_per_atom, std::size_t atoms, std::size_t defects)> progress =
-      {};
+  //! Called many times a second with the share of the trials that are done; may throw, to end it; may be empty.
+  std::function<void(double share)> progress = {};
 };
 
 struct BondSwitchingResult {

@@ -25,9 +25,8 @@ constexpr double least_width = 9;
 // With the progress of this stage told.
 annealing::BondSwitchingOptions told(annealing::BondSwitchingOptions schedule, std::string_view stage,
                                      const AnnealOptions& options) {
-  schedule.progress = [&options, stage, blocks = schedule.blocks](int block, double, std::size_t,
-                                                                  std::size_t) {
-    if (options.progress) options.progress(stage, (block + 1.0) / blocks);
+  schedule.progress = [&options, stage](double share) {
+    if (options.progress) options.progress(stage, share);
   };
   return schedule;
 }

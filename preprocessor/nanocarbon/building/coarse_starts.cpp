@@ -63,8 +63,8 @@ CoarseStart anneal_coarse_start(annealing::AnnealingLevel level, const TriangleM
     return {};
   annealing::BondSwitchingOptions hot = hot_schedule(atoms, true, options);
   hot.seed = seed;
-  hot.progress = [&](int block, double, std::size_t, std::size_t) {
-    if (options.progress) options.progress("annealing coarsely", (block + 1.0) / hot.blocks);
+  hot.progress = [&](double share) {
+    if (options.progress) options.progress("annealing coarsely", share);
   };
   annealing::anneal_level(level, tether_surface, hot);
   CoarseStart start;

@@ -120,8 +120,8 @@ class Annealing {
   }
   annealing::BondSwitchingOptions told(annealing::BondSwitchingOptions schedule,
                                        std::string_view stage) const {
-    schedule.progress = [this, stage, blocks = schedule.blocks](int block, double, std::size_t, std::size_t) {
-      if (options_.progress) options_.progress(stage, (block + 1.0) / blocks);
+    schedule.progress = [this, stage](double share) {
+      if (options_.progress) options_.progress(stage, share);
     };
     return schedule;
   }
