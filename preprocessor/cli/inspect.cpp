@@ -13,6 +13,7 @@
 
 #include "cell_options.h"
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/diagnose.h"
 #include "nanocarbon/mesh/diagnosis.h"
 #include "nanocarbon/mesh/formats/load_surface.h"
 #include "nanocarbon/mesh/measures.h"
@@ -201,6 +202,7 @@ void run(const InspectCommand& command) {
       inspection.in_cell =
           mesh::in_cell(inspection.surface.mesh, *inspection.cell, request, inspection.notes);
       inspection.cell = *inspection.in_cell->space.cell();
+      mesh::find_intersections_in_cell(*inspection.in_cell, inspection.surface.diagnosis);
     } catch (const UserError& error) {
       inspection.why_not = error.what();
     }

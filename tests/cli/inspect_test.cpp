@@ -2,12 +2,17 @@
 // `nanocarbon inspect` as a user runs it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "nanocarbon/mesh/formats/write_mesh.h"
+#include "nanocarbon/shapes/shapes.h"
 #include "support/program_test.h"
+#include "support/small_meshes.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -62,6 +67,43 @@ TEST_F(Inspect, TellsWhatBuildTakes) {
   EXPECT_EQ(refused.exit_code, 5);
   EXPECT_THAT(refused.err, HasSubstr("--no-repair"));
   EXPECT_THAT(refused.err, HasSubstr("joined vertices to others at the same place: 16"));
+}
+
+// Two balls that are apart in the file, one of them near the other's image in the cell.
+TEST_F(Inspect, FindsAndLocatesWhatIntersectsThroughTheFacesOfTheCell) {
+  const auto balls = [&](const std::string& name, double second_x, double radius) {
+    TriangleMesh mesh = shapes::make_sphere(radius, 4);
+    for (Vec3& p : mesh.points) p += Vec3(0.25, 0.5, 0.5);
+    TriangleMesh other = shapes::make_sphere(0.2, 4);
+    for (Vec3& p : other.points) p += Vec3(second_x, 0.5, 0.5);
+    mesh = test::together(mesh, other);
+    mesh::write_mesh(path(name), mesh);
+    return path(name);
+  };
+  const std::string in_cell = " --cell 1,1,1";
+  EXPECT_EQ(run("inspect " + balls("apart.off", 0.75, 0.2) + in_cell).exit_code, 0);
+
+  const std::string near = balls("near.off", 0.9, 0.2);
+  EXPECT_EQ(run("inspect " + near).exit_code, 0) << "in free space they are apart";
+  const Outcome outcome = run("inspect --json " + near + in_cell);
+  EXPECT_EQ(outcome.exit_code, 5);
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["reasons"].size(), 1u);
+  EXPECT_EQ(json["reasons"][0]["problem"], "pieces_intersect");
+  const auto point = json["reasons"][0]["places"][0]["point"];
+  const double x = point[0];
+  EXPECT_LT(std::min(std::abs(x - 0.075), std::abs(x - 1.075)), 0.06) << "half way from 0.9 to 1.25";
+  EXPECT_NEAR(point[1], 0.5, 0.15);
+  EXPECT_NEAR(point[2], 0.5, 0.15);
+  EXPECT_THAT(run("build " + near + in_cell + " --atoms 500 -o " + path("a.data")).err,
+              HasSubstr("of different pieces intersect"));
+
+  // One that meets its own images.
+  const auto large =
+      nlohmann::json::parse(run("inspect --json " + balls("large.off", 0.75, 0.51) + in_cell).out);
+  bool own = false;
+  for (const auto& warning : large["warnings"]) own = own || warning["problem"] == "self_intersection";
+  EXPECT_TRUE(own);
 }
 
 }  // namespace

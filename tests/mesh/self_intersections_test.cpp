@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <random>
 
 #include "nanocarbon/mesh/triangle_intersection.h"
@@ -121,6 +122,78 @@ TEST(SelfIntersections, TheTreeFindsWhatTryingAllPairsFinds) {
       if (intersect(mesh, mesh.triangles[i], mesh.triangles[j])) expected.push_back({i, j});
   EXPECT_GT(expected.size(), 20u);
   EXPECT_EQ(self_intersections(mesh).pairs, expected);
+}
+
+// A fat ring of the given size, a little crumpled: where a symmetric one meets its image, corners meet edges, and
+// rounding decides.
+TriangleMesh ring(const Vec3& centre, double radius) {
+  TriangleMesh mesh = triangulate(test::torus(20, 12, 0.62, 0.35)).mesh;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> offset(-0.02, 0.02);
+  for (Vec3& p : mesh.points)
+    p = centre + radius * (p + Vec3(offset(random), offset(random), offset(random)));
+  return mesh;
+}
+
+// Cubic, tetragonal in two directions, and skewed, periodic in all and in one.
+std::vector<Cell> cells() {
+  Cell skewed, rhombohedral;
+  skewed.vectors << 1.0, 0.3, -0.2, 0.0, 1.1, 0.45, 0.0, 0.0, 0.9;
+  rhombohedral.vectors << 0, 0.7, 0.7, 0.7, 0, 0.7, 0.7, 0.7, 0;
+  rhombohedral.vectors.col(0).swap(rhombohedral.vectors.col(1));
+  Cell along_one = skewed;
+  along_one.periodic = {false, false, true};
+  std::vector<Cell> all = {orthogonal_cell({1, 1, 1}), orthogonal_cell({1, 1, 2}, {true, true, false}),
+                           skewed, rhombohedral, along_one};
+  for (Cell& cell : all) cell.origin = Vec3(0.1, -0.7, 0.3);
+  return all;
+}
+
+// In free space: the surface and its image in each translation of the cell, one of each two that are opposite.
+std::vector<std::array<std::uint32_t, 2>> pairs_with_images(const TriangleMesh& mesh, const Cell& cell) {
+  const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+  std::vector<std::array<std::uint32_t, 2>> pairs = self_intersections({mesh.points, mesh.triangles}).pairs;
+  const auto reach = [&](std::size_t d) { return cell.periodic[d] ? 2 : 0; };
+  for (int i = -reach(0); i <= reach(0); ++i)
+    for (int j = -reach(1); j <= reach(1); ++j)
+      for (int k = -reach(2); k <= reach(2); ++k) {
+        if (std::array{i, j, k} <= std::array{0, 0, 0}) continue;
+        TriangleMesh image{mesh.points, mesh.triangles};
+        for (Vec3& p : image.points) p += image_shift(cell, {i, j, k});
+        const TriangleMesh both = test::together({mesh.points, mesh.triangles}, image);
+        for (const auto& [a, b] : self_intersections(both).pairs)
+          if (a < triangles && b >= triangles)
+            pairs.push_back({std::min(a, b - triangles), std::max(a, b - triangles)});
+      }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+// A surface may cross its images through a face, an edge or a corner of the cell, wherever it lies in it, and
+// whichever image of each vertex is the one that is kept.
+TEST(SelfIntersections, InACellASurfaceMeetsTheImagesThatItMeetsInFreeSpace) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(0, 1);
+  std::uniform_int_distribution<int> anywhere(-2, 2);
+  std::size_t found = 0, clear = 0;
+  for (const Cell& cell : cells())
+    for (const double radius : {0.3, 0.52, 0.6}) {
+      const Vec3 centre = cell.origin + cell.vectors * Vec3(place(random), place(random), place(random));
+      TriangleMesh mesh = ring(centre, radius);
+      const auto expected = pairs_with_images(mesh, cell);
+      mesh.space = Space(cell);
+      EXPECT_EQ(self_intersections(mesh).pairs, expected) << "radius " << radius;
+      for (Vec3& p : mesh.points) {
+        std::array<int, 3> image{};
+        for (std::size_t d = 0; d < 3; ++d) image[d] = cell.periodic[d] ? anywhere(random) : 0;
+        p += image_shift(cell, image);
+      }
+      EXPECT_EQ(self_intersections(mesh).pairs, expected) << "radius " << radius;
+      ++(expected.empty() ? clear : found);
+    }
+  EXPECT_GE(found, 4u);
+  EXPECT_GE(clear, 4u);
 }
 
 TEST(SelfIntersections, AHeapOfTrianglesAtOnePlaceIsGivenUpAndSaidSo) {

@@ -67,18 +67,21 @@ Words words_for(MeshProblem problem) {
 
 std::string describe(const MeshFinding& finding) {
   const Words words = words_for(finding.problem);
-  if (finding.places.empty() || finding.places[0].vertices.empty())
-    return fmt::format("{}; {}", words.one, words.remedy);
+  const bool anywhere = *words.many == '\0' || finding.places.empty();
+  if (anywhere) return fmt::format("{}; {}", words.one, words.remedy);
   const MeshPlace& place = finding.places[0];
   std::string where =
       fmt::format("at ({:.6g}, {:.6g}, {:.6g})", place.point.x(), place.point.y(), place.point.z());
+  const char* first = finding.count == 1 ? "" : "first ";
+  if (place.vertices.empty())  // of a mesh that was changed since it was read
+    return fmt::format("{} {} ({}{} in the cell); {}", finding.count,
+                       finding.count == 1 ? words.one : words.many, first, where, words.remedy);
   if (!place.faces.empty())
     where += fmt::format(", face{} {}", place.faces.size() > 1 ? "s" : "", fmt::join(place.faces, " and "));
   where +=
       fmt::format(", vert{} {}", place.vertices.size() > 1 ? "ices" : "ex", fmt::join(place.vertices, ", "));
   return fmt::format("{} {} ({}{}; numbers from 0); {}", finding.count,
-                     finding.count == 1 ? words.one : words.many, finding.count == 1 ? "" : "first ", where,
-                     words.remedy);
+                     finding.count == 1 ? words.one : words.many, first, where, words.remedy);
 }
 
 }  // namespace nanocarbon::mesh

@@ -77,6 +77,16 @@ void find_in_topology(const PolygonSoup& soup, const EdgeTable& edges, const Mes
       findings.add(MeshProblem::inconsistent_winding, {edges.low[e], edges.high[e]}, faces_at(edges, e));
 }
 
+constexpr MeshProblem kinds_of_intersection[] = {MeshProblem::components_intersect,
+                                                 MeshProblem::self_intersection};
+
+// Which kind the intersection of two faces is.
+MeshProblem problem_of(std::uint32_t first, std::uint32_t second, const MeshTopology& topology) {
+  return topology.component_of_face[first] == topology.component_of_face[second]
+             ? MeshProblem::self_intersection
+             : MeshProblem::components_intersect;
+}
+
 // Parts that touch in vertices and edges at the same places do not intersect there.
 void find_intersections(const PolygonSoup& soup, const CoincidentPoints& coincident,
                         const MeshTopology& topology, Findings& findings) {
@@ -88,11 +98,10 @@ void find_intersections(const PolygonSoup& soup, const CoincidentPoints& coincid
     mesh.triangles.push_back(
         {place(soup.face(face)[0]), place(soup.face(face)[1]), place(soup.face(face)[2])});
   const SelfIntersections found = self_intersections(mesh);
-  for (const bool between_components : {true, false})
+  for (const MeshProblem problem : kinds_of_intersection)
     for (const auto& [first, second] : found.pairs)
-      if ((topology.component_of_face[first] != topology.component_of_face[second]) == between_components)
-        findings.add(between_components ? MeshProblem::components_intersect : MeshProblem::self_intersection,
-                     vertices_of(soup.face(first)), {first, second});
+      if (problem_of(first, second, topology) == problem)
+        findings.add(problem, vertices_of(soup.face(first)), {first, second});
   if (!found.complete) findings.add(MeshProblem::search_given_up, {}, {});
 }
 
@@ -139,6 +148,23 @@ MeshDiagnosis diagnose(const PolygonSoup& soup) {
     diagnosis.volume = signed_volume(soup);
   find_problems(soup, edges, diagnosis);
   return diagnosis;
+}
+
+void find_intersections_in_cell(const TriangleMesh& mesh, MeshDiagnosis& diagnosis) {
+  const SelfIntersections found = self_intersections(mesh);
+  if (!found.complete) diagnosis.findings.push_back({MeshProblem::search_given_up, 1, {}, {}});
+  const MeshTopology topology = found.pairs.empty() ? MeshTopology() : mesh_topology(mesh);
+  for (const MeshProblem problem : kinds_of_intersection) {
+    MeshFinding finding{problem, 0, {}, {}};
+    for (const auto& [first, second] : found.pairs) {
+      if (problem_of(first, second, topology) != problem || ++finding.count > most_places) continue;
+      const auto [a, b, c] = corners_of(mesh, mesh.triangles[first]);
+      finding.places.push_back({{}, {}, mesh.space.wrapped((a + b + c) / 3.0)});
+    }
+    if (finding.count > 0) diagnosis.findings.push_back(std::move(finding));
+  }
+  for (MeshFinding& finding : diagnosis.findings)
+    if (finding.text.empty()) finding.text = describe(finding);
 }
 
 }  // namespace nanocarbon::mesh

@@ -80,6 +80,7 @@ void drop_findings_of_the_cut(MeshDiagnosis& diagnosis) {
   std::erase_if(diagnosis.findings, [](const MeshFinding& finding) {
     return finding.problem == MeshProblem::components_intersect ||
            finding.problem == MeshProblem::self_intersection ||
+           finding.problem == MeshProblem::search_given_up ||
            finding.problem == MeshProblem::duplicate_vertex;
   });
 }

@@ -28,7 +28,7 @@ struct CellRequest {
 std::optional<Cell> requested_cell(const CellRequest& request, const PolygonSoup& soup);
 
 //! Takes findings out of a diagnosis that are of the cut at the cell's faces and not of the surface: parts that
-//! touch each other there. (Intersections are then not known of meshes in a cell.)
+//! touch each other there. (Intersections are found in the cell: find_intersections_in_cell().)
 void drop_findings_of_the_cut(MeshDiagnosis& diagnosis);
 
 //! \brief A mesh in free space as one in its cell: sewn and repeated.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/diagnose.h"
 #include "nanocarbon/mesh/formats/read_mesh.h"
 #include "nanocarbon/mesh/repair/close_holes.h"
 #include "nanocarbon/mesh/repair/repair_surface.h"
@@ -25,6 +26,22 @@ auto naming_file(const std::filesystem::path& path, const Take& take) {
   }
 }
 
+std::vector<std::string> warnings(const MeshDiagnosis& diagnosis) {
+  std::vector<std::string> texts;
+  for (const MeshFinding& finding : diagnosis.findings)
+    if (severity(finding.problem) == Severity::warning) texts.push_back(finding.text);
+  return texts;
+}
+
+void require_usable(const std::filesystem::path& path, const MeshDiagnosis& diagnosis) {
+  std::string reasons;
+  for (const MeshFinding& finding : diagnosis.findings)
+    if (severity(finding.problem) == Severity::reason) reasons += "\n  - " + finding.text;
+  if (!reasons.empty())
+    throw UserError(Failure::unsuitable,
+                    fmt::format("{}: the mesh cannot be used:{}", path.string(), reasons));
+}
+
 LoadedSurface examine(const std::filesystem::path& path, const CellRequest& request, double close_holes,
                       std::vector<std::string>& mended) {
   PolygonSoup soup = read_mesh(path);
@@ -39,9 +56,7 @@ LoadedSurface examine(const std::filesystem::path& path, const CellRequest& requ
   surface.repairs = std::move(repaired.repairs);
   surface.diagnosis = std::move(repaired.diagnosis);
   if (surface.cell) drop_findings_of_the_cut(surface.diagnosis);
-  for (const MeshFinding& finding : surface.diagnosis.findings) {
-    if (severity(finding.problem) == Severity::warning) surface.warnings.push_back(finding.text);
-  }
+  surface.warnings = warnings(surface.diagnosis);
   return surface;
 }
 
@@ -55,12 +70,7 @@ LoadedSurface examine_surface(const std::filesystem::path& path, const CellReque
 LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions& options) {
   std::vector<std::string> mended;
   LoadedSurface surface = examine(path, options.cell, options.close_holes, mended);
-  std::string reasons;
-  for (const MeshFinding& finding : surface.diagnosis.findings)
-    if (severity(finding.problem) == Severity::reason) reasons += "\n  - " + finding.text;
-  if (!reasons.empty())
-    throw UserError(Failure::unsuitable,
-                    fmt::format("{}: the mesh cannot be used:{}", path.string(), reasons));
+  require_usable(path, surface.diagnosis);
   if (!options.repair && !mended.empty())
     throw UserError(Failure::unsuitable,
                     fmt::format("{}: the mesh needs repairs, which --no-repair forbids:\n  - {}",
@@ -78,6 +88,9 @@ LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions&
         naming_file(path, [&] { return close_holes(surface.mesh, options.close_holes); });
     if (closed > 0) surface.repairs.push_back(fmt::format("closed boundary loops as asked: {}", closed));
   }
+  find_intersections_in_cell(surface.mesh, surface.diagnosis);
+  require_usable(path, surface.diagnosis);
+  surface.warnings = warnings(surface.diagnosis);
   return surface;
 }
 

@@ -19,8 +19,9 @@ struct LoadedSurface {
   TriangleMesh mesh;
   std::vector<std::string> repairs;   //!< what was done to the file's contents to get there
   std::vector<std::string> warnings;  //!< what is doubtful and stays
-  MeshDiagnosis diagnosis;            //!< of the mesh before it was sewn in its cell, if it has one
-  std::size_t vertices_read = 0;      //!< of the file as it is
+  MeshDiagnosis diagnosis;  //!< of the mesh before it was sewn in its cell, if it has one; but for where
+                            //!< faces intersect, which is told of the mesh in its cell
+  std::size_t vertices_read = 0;  //!< of the file as it is
   std::size_t faces_read = 0;
   std::optional<Cell> cell = {};  //!< that the request or the file says the mesh is in
 };
