@@ -97,6 +97,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   structures/hydrocarbons.h
   structures/onion.h
   structures/schwarzite.h
+  structures/schwarzite_family.h
   structures/tube.h
   topology/bond_graph.h
   topology/bonds.h

@@ -31,4 +31,9 @@ compare C720 -7.315190 "f f f" none fullerene 6 0
 compare C960 -7.332492 "f f f" none fullerene 4 4
 compare D688 -7.245690 "p p p" iso schwarzite d688 --cells 2
 compare P688 -7.118862 "p p p" iso schwarzite p688 --cells 2
+compare G688 -7.155575 "p p p" iso schwarzite g688 --cells 1
+compare P192 -7.279339 "p p p" iso schwarzite p192
+compare D168 -7.242802 "p p p" iso schwarzite d168
+compare D192 -7.242428 "p p p" iso schwarzite d192
+compare G384 -7.259174 "p p p" iso schwarzite g384
 compare diamond -7.369997 "p p p" iso diamond --cells 3

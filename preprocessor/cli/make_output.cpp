@@ -79,6 +79,22 @@ void relax(Molecule& structure, building::PotentialChoice choice, minimisation::
                relaxed.energy / static_cast<double>(structure.size()));
 }
 
+CLI::Option* add_cells_option(CLI::App& sub, std::vector<int>& cells) {
+  sub.parse_complete_callback([&cells] {
+    if (cells.size() == 2)
+      throw UserError(Failure::usage, "--cells takes one number, or three: along x, y and z");
+  });
+  return sub.add_option("--cells", cells, "Unit cells along each edge: one number for all, or three")
+      ->expected(1, 3)
+      ->transform(whole_number())
+      ->check(between(1, 200));
+}
+
+std::array<int, 3> three_cells(const std::vector<int>& cells) {
+  if (cells.size() == 3) return {cells[0], cells[1], cells[2]};
+  return {cells.at(0), cells.at(0), cells.at(0)};
+}
+
 void write_molecule(const MoleculeOutput& output, const Molecule& molecule, const CLI::App& subcommand) {
   const std::string made_by = fmt::format("{} (nanocarbon {})", command_text(subcommand), version);
   molecule::write_molecule(output.path, molecule,

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
@@ -27,6 +29,11 @@ void add_molecule_output(CLI::App& subcommand, MoleculeOutput& output);
 //! \throw UserError (failed) where it is not reached, or bonds are not those they were
 void relax(Molecule& structure, building::PotentialChoice potential, minimisation::CellRelaxation relaxation,
            const MoleculeOutput& output);
+
+//! Adds --cells: a number of cells for each edge of a crystal, or one number for all.
+//! \param cells must outlive the subcommand
+CLI::Option* add_cells_option(CLI::App& subcommand, std::vector<int>& cells);
+std::array<int, 3> three_cells(const std::vector<int>& cells);
 
 //! Writes it in the format of the path's extension, and a line about it to the terminal.
 void write_molecule(const MoleculeOutput& output, const Molecule& molecule, const CLI::App& subcommand);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "make.h"
@@ -14,32 +13,10 @@
 #include "nanocarbon/structures/fullerene.h"
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/onion.h"
-#include "nanocarbon/structures/schwarzite.h"
 #include "number_checks.h"
 #include "potential_option.h"
 
 namespace nanocarbon::cli {
-namespace {
-
-//! A number of cells for each edge of a crystal, or one number for all.
-std::array<int, 3> three(const std::vector<int>& cells) {
-  if (cells.size() == 3) return {cells[0], cells[1], cells[2]};
-  return {cells.at(0), cells.at(0), cells.at(0)};
-}
-
-void add_cells(CLI::App& sub, std::vector<int>& cells) {
-  sub.add_option("--cells", cells, "Unit cells along each edge: one number for all, or three")
-      ->expected(1, 3)
-      ->transform(whole_number())
-      ->check(between(1, 200))
-      ->capture_default_str();
-  sub.parse_complete_callback([&cells] {
-    if (cells.size() == 2)
-      throw UserError(Failure::usage, "--cells takes one number, or three: along x, y and z");
-  });
-}
-
-}  // namespace
 
 void add_make_graphene(CLI::App& make) {
   struct Command {
@@ -143,35 +120,12 @@ void add_make_diamond(CLI::App& make) {
   };
   CLI::App& sub = *make.add_subcommand("diamond", "Diamond, periodic, cubic cells of 8 atoms");
   const auto c = std::make_shared<Command>();
-  add_cells(sub, c->cells);
+  add_cells_option(sub, c->cells)->capture_default_str();
   add_molecule_output(sub, c->output);
   sub.footer("Example:\n  nanocarbon make diamond --cells 4 -o diamond.data");
   sub.callback([c, &sub] {
-    const auto [x, y, z] = three(c->cells);
+    const auto [x, y, z] = three_cells(c->cells);
     write_molecule(c->output, structures::diamond(x, y, z), sub);
-  });
-}
-
-void add_make_schwarzite(CLI::App& make) {
-  struct Command {
-    std::string kind;
-    std::vector<int> cells = {2};
-    MoleculeOutput output;
-  };
-  CLI::App& sub = *make.add_subcommand("schwarzite", "A schwarzite of hexagons and octagons, periodic");
-  const auto c = std::make_shared<Command>();
-  sub.add_option("KIND", c->kind,
-                 "p688 (48 atoms in a cubic cell of 7.80 Angstrom) or d688 (24 atoms, 6.06 Angstrom)")
-      ->required()
-      ->check(CLI::IsMember({"p688", "d688"}));
-  add_cells(sub, c->cells);
-  add_molecule_output(sub, c->output);
-  sub.footer("Example:\n  nanocarbon make schwarzite p688 --cells 3 -o p688.data");
-  sub.callback([c, &sub] {
-    const auto [x, y, z] = three(c->cells);
-    write_molecule(
-        c->output,
-        c->kind == "p688" ? structures::schwarzite_p688(x, y, z) : structures::schwarzite_d688(x, y, z), sub);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "nanocarbon/structures/graphene.h"
 #include "nanocarbon/structures/onion.h"
 #include "nanocarbon/structures/schwarzite.h"
+#include "nanocarbon/structures/schwarzite_family.h"
 #include "nanocarbon/structures/tube.h"
 
 namespace nanocarbon::python {
@@ -37,6 +38,11 @@ void add_make(py::module_& module) {
            py::arg("cells_z"));
   make.def("schwarzite_d688", &structures::schwarzite_d688, py::arg("cells_x"), py::arg("cells_y"),
            py::arg("cells_z"));
+
+  make.def("schwarzite_g688", &structures::schwarzite_g688, py::arg("cells_x"), py::arg("cells_y"),
+           py::arg("cells_z"));
+  make.def("schwarzite", &structures::schwarzite, py::arg("name"),
+           "A schwarzite by its surface and the atoms in its cell, near equilibrium: p192, d168, g384.");
 
   const auto mesh = [](TriangleMesh made) { return Mesh{std::move(made), {}, {}}; };
   make.def(

@@ -48,6 +48,10 @@ const Case cases[] = {
     {"diamond --cells 2", 64, 128},
     {"schwarzite p688 --cells 1 1 2", 96, 144},
     {"schwarzite d688 --cells 2", 192, 288},
+    {"schwarzite g688 --cells 1", 96, 144},
+    {"schwarzite p144", 144, 216},
+    {"schwarzite d168 --cells 1 2 1", 336, 504},
+    {"schwarzite d56 --potential airebo", 56, 84},
 };
 
 TEST(Make, StructuresHaveTheirAtomsAndBonds) {
@@ -94,7 +98,7 @@ TEST(Make, AseReadsTheFiles) {
   const std::string read = std::string(NANOCARBON_ASE_PYTHON) + " " NANOCARBON_ASE_SCRIPT " ";
   for (const std::string what :
        {"tube 7 3 --length 20 --periodic", "tube 10 10 --length 20", "tube 9 0 --length 20 --ends capped",
-        "tube 5 5 --length 20 --ends open", "fullerene 1 1", "fullerene 4 4", "graphene"}) {
+        "tube 5 5 --length 20 --ends open", "fullerene 1 1", "fullerene 4 4", "graphene", "schwarzite d168"}) {
     SCOPED_TRACE(what);
     const std::string data = (folder / "a.data").string(), xyz = (folder / "a.xyz").string();
     ASSERT_EQ(make(what + " -o " + data).exit_code, 0);
@@ -149,6 +153,8 @@ TEST(Make, RefusalsHaveAnExitCodeAMessageAndNoFile) {
   EXPECT_EQ(refused("fullerene 0 0", "a.data"), 2);
   EXPECT_EQ(refused("fullerene 90000 90000", "a.data"), 2);
   EXPECT_EQ(refused("diamond --cells 1 2", "a.data"), 2);
+  EXPECT_EQ(refused("schwarzite p100", "a.data"), 2);
+  EXPECT_EQ(refused("schwarzite d168 --cells 1 2", "a.data"), 2);
   EXPECT_EQ(refused("fullerene 1 1", "a.pdb"), 2);
   EXPECT_EQ(refused("mesh torus", "a.data"), 2);
   EXPECT_EQ(refused("mesh torus --major 1 --minor 2", "a.off"), 2);

@@ -17,4 +17,15 @@ Molecule schwarzite_d688(int cells_x, int cells_y, int cells_z);
 //! above.
 Molecule schwarzite_p688(int cells_x, int cells_y, int cells_z);
 
+//! \brief Schwarzite G688 ("polybenzene 6.8^2 G"): hexagons and octagons on the gyroid, Ia-3d.
+//! \details 96 atoms per cubic cell, a = 9.6011 Angstrom, relaxed with REBO2, Euler characteristic -8. As above.
+Molecule schwarzite_g688(int cells_x, int cells_y, int cells_z);
+
+//! \brief Schwarzite D56, fcc-(C28)2: heptagons alone on Schwarz's D surface, Fd-3.
+//! \details 56 atoms per primitive cell of the face-centred cubic lattice of a = 13.1208 Angstrom, relaxed with REBO2,
+//! Euler characteristic -4. Cages C28 without their hexagons are joined by six bonds each to four others: of each
+//! hexagon's bonds every other is broken, as in D. Vanderbilt and J. Tersoff, Phys. Rev. Lett. 68, 511 (1992).
+//! \throw UserError (usage) for fewer than one cell each way
+Molecule schwarzite_d56(int cells_a, int cells_b, int cells_c);
+
 }  // namespace nanocarbon::structures

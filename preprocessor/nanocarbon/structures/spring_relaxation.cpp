@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "nanocarbon/core/space.h"
+
 namespace nanocarbon::structures {
 namespace {
 
@@ -34,12 +36,12 @@ std::vector<Spring> springs_of(const Molecule& molecule, const SpringRelaxationO
   return springs;
 }
 
-double spring_energy(const std::vector<Spring>& springs, const Eigen::VectorXd& x,
+double spring_energy(const std::vector<Spring>& springs, const Space& space, const Eigen::VectorXd& x,
                      Eigen::VectorXd& gradient) {
   double energy = 0.0;
   gradient.setZero();
   for (const Spring& s : springs) {
-    const Vec3 delta = x.segment<3>(3 * s.second) - x.segment<3>(3 * s.first);
+    const Vec3 delta = space.displacement(x.segment<3>(3 * s.first), x.segment<3>(3 * s.second));
     const double length = delta.norm(), stretch = length - s.rest;
     energy += 0.5 * s.stiffness * stretch * stretch;
     const Vec3 pull = s.stiffness * stretch / length * delta;
@@ -53,6 +55,7 @@ double spring_energy(const std::vector<Spring>& springs, const Eigen::VectorXd& 
 
 SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions& options) {
   const std::vector<Spring> springs = springs_of(molecule, options);
+  const Space space(molecule.cell);
   const auto n = static_cast<Eigen::Index>(molecule.size());
   Eigen::VectorXd x(3 * n);
   for (Eigen::Index i = 0; i < n; ++i) x.segment<3>(3 * i) = molecule.positions[static_cast<std::size_t>(i)];
@@ -67,7 +70,7 @@ SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions&
   double energy = 0.0;
   int iterations = 0;
   auto objective = [&](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
-    return spring_energy(springs, at, gradient);
+    return spring_energy(springs, space, at, gradient);
   };
   try {
     iterations = solver.minimize(objective, x, energy);
@@ -80,7 +83,8 @@ SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions&
 
   SpringResult result{iterations, std::numeric_limits<double>::infinity(), 0.0};
   for (const Bond& bond : molecule.bonds) {
-    const double length = (molecule.positions[bond.second] - molecule.positions[bond.first]).norm();
+    const double length =
+        space.displacement(molecule.positions[bond.first], molecule.positions[bond.second]).norm();
     result.shortest_bond = std::min(result.shortest_bond, length);
     result.longest_bond = std::max(result.longest_bond, length);
   }

@@ -21,8 +21,8 @@ struct SpringResult {
 //! \brief Evens out bonds and angles of a constructed structure, as a start for a minimisation with a real
 //! potential.
 //! \details Springs on bonds, and between second neighbours whose rest length is that of a regular flat ring,
-//! minimised by L-BFGS. Nothing is bonded or cut.
-//! \pre bonds and rings are known, and the molecule is in free space
+//! minimised by L-BFGS, in a cell that stays. Nothing is bonded or cut.
+//! \pre bonds and rings are known
 SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions& options);
 
 }  // namespace nanocarbon::structures
