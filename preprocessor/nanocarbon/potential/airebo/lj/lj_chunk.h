@@ -20,6 +20,7 @@ struct LjChunk {
   std::vector<std::uint32_t> atoms;   //!< [4 cluster + lane], the caller's; padding repeats one
   std::vector<std::uint32_t> images;  //!< which translation to add to its position; empty where all are zero
   std::vector<std::uint8_t> real;     //!< [cluster] the lanes that are not padding
+  bool mixed = false;                 //!< whether there is hydrogen
   std::vector<LjRow> list_rows;
   std::vector<LjEntry> list;
   std::vector<LjRow> rows;

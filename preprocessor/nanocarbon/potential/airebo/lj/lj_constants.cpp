@@ -24,7 +24,7 @@ LjConstants make_lj_constants(const LjParameters& parameters) {
   const double width = window ? parameters.switch_end - parameters.switch_begin : 1.0;
   LjConstants c = {};
   c.begin = window ? parameters.switch_begin / width : 1e300;
-  c.inverse_width_6 = std::pow(width, -6);
+  const double inverse_width_6 = std::pow(width, -6);
   c.slope_to_a = -std::numbers::ln2 / 3.0;
   const double cutoff = std::min(parameters.cutoff, parameters.switch_end) / width;
   c.cutoff_squared = cutoff * cutoff;
@@ -38,14 +38,15 @@ LjConstants make_lj_constants(const LjParameters& parameters) {
       to.slope[lane] = -p.morse_decay * unit / std::numbers::ln2;
       to.offset[lane] = p.morse_decay * p.morse_equilibrium / std::numbers::ln2;
     } else {
-      to.strength[lane] = 24.0 * p.epsilon * to.scale[lane] * c.inverse_width_6;
+      to.strength[lane] = 24.0 * p.epsilon * to.scale[lane] * inverse_width_6;
+      to.steepness[lane] = to.strength[lane] * inverse_width_6;
     }
   });
   return c;
 }
 
-LjVariant lj_variant(const LjParameters& parameters, bool energy) {
-  return {parameters.form == LjForm::morse, energy,
+LjVariant lj_variant(const LjParameters& parameters, bool energy, bool mixed) {
+  return {parameters.form == LjForm::morse, energy, mixed,
           parameters.cutoff < parameters.switch_end || parameters.switch_end <= parameters.switch_begin};
 }
 

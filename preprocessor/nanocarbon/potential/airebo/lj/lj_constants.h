@@ -10,7 +10,8 @@ namespace nanocarbon::airebo {
 LjConstants make_lj_constants(const LjParameters& parameters);
 
 //! Which of the loops belongs to these parameters.
-LjVariant lj_variant(const LjParameters& parameters, bool energy);
+//! \param mixed whether there is hydrogen
+LjVariant lj_variant(const LjParameters& parameters, bool energy, bool mixed);
 
 //! Sets a search's squared distances, up to a margin (Angstrom) beyond the end of the sum.
 void set_reach(LjSearch& search, const LjParameters& parameters, double margin);

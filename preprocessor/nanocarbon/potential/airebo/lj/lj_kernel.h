@@ -10,7 +10,7 @@
 //! Lengths are in units of sigma * width, width = switch_end - switch_begin of LjParameters: with
 //! X = r^2 / (sigma width)^2 and q = 1 / X the switch's argument is t = sqrt(X) - begin. With m = 1 - t and
 //! n = 1 + 2 t, slw = m^2 n and d slw / dt = -6 t m. The force on i is f (x_i - x_j),
-//!     Lennard-Jones: f = s q^4 m [(2 c q^3 - 1) m n + (c q^3 - 1) t sqrt(X)],   c = width^-6,
+//!     Lennard-Jones: f = q^4 m [s (2 c q^3 - 1) m n + s (c q^3 - 1) t sqrt(X)],   c = width^-6,
 //!     Morse:         f = s y m [a (y - 1) m n + (y - 2) t] / sqrt(X),          y = 2^(k sqrt(X) + h).
 
 #include <cstddef>
@@ -43,15 +43,15 @@ struct LjRow {
 
 //! Parameters of a pair by lane; the formulas are at the top.
 struct LjPairLanes {
-  double scale[lj_lanes];     //!< 1 / (sigma width)^2, 1/Angstrom^2
-  double strength[lj_lanes];  //!< s: 24 epsilon scale / width^6, or 6 epsilon_M scale, eV/Angstrom^2
-  double slope[lj_lanes];     //!< k = -alpha sigma width / ln 2
-  double offset[lj_lanes];    //!< h = alpha r_eq / ln 2
+  double scale[lj_lanes];      //!< 1 / (sigma width)^2, 1/Angstrom^2
+  double strength[lj_lanes];   //!< s: 24 epsilon scale / width^6, or 6 epsilon_M scale, eV/Angstrom^2
+  double steepness[lj_lanes];  //!< s c
+  double slope[lj_lanes];      //!< k = -alpha sigma width / ln 2
+  double offset[lj_lanes];     //!< h = alpha r_eq / ln 2
 };
 
 struct LjConstants {
   double begin;             //!< switch_begin / width
-  double inverse_width_6;   //!< c
   double slope_to_a;        //!< a = slope_to_a * k, that is -ln 2 / 3
   double cutoff_squared;    //!< of X, where the sum is cut hard
   LjPairLanes pair[2][16];  //!< by the own atom's element and the hydrogen lanes
@@ -85,6 +85,7 @@ struct LjCounts {
 struct LjVariant {
   bool morse;
   bool energy;
+  bool mixed;        //!< there is hydrogen
   bool hard_cutoff;  //!< leave out what is at cutoff_squared or beyond
 };
 

@@ -51,9 +51,34 @@ inline Real smaller(Real a, Real b) {
 }
 
 inline double sum(Real value) {
-  double total = 0.0;
-  for (int l = 0; l < lanes; ++l) total += value[l];
-  return total;
+#if NANOCARBON_LANES == 8
+  value += __builtin_shufflevector(value, value, 4, 5, 6, 7, 0, 1, 2, 3);
+  value += __builtin_shufflevector(value, value, 2, 3, 0, 1, 6, 7, 4, 5);
+#elif NANOCARBON_LANES == 4
+  value += __builtin_shufflevector(value, value, 2, 3, 0, 1);
+#endif
+  return value[0] + value[1];
+}
+
+// a b + c and c - a b. Compilers make a product of its own where both are wanted of one.
+inline Real multiply_add(Real a, Real b, Real c) {
+#if NANOCARBON_LANES == 8
+  return (Real)_mm512_maskz_fmadd_pd(0xff, (__m512d)a, (__m512d)b, (__m512d)c);
+#elif defined(__FMA__) && NANOCARBON_LANES == 4
+  return (Real)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+  return a * b + c;
+#endif
+}
+
+inline Real multiply_subtract(Real a, Real b, Real c) {
+#if NANOCARBON_LANES == 8
+  return (Real)_mm512_maskz_fnmadd_pd(0xff, (__m512d)a, (__m512d)b, (__m512d)c);
+#elif defined(__FMA__) && NANOCARBON_LANES == 4
+  return (Real)_mm256_fnmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+  return c - a * b;
+#endif
 }
 
 // Bit l for each lane l.
@@ -69,12 +94,17 @@ inline std::uint32_t bits(PartMask mask) {
 #endif
 }
 
+alignas(32) constexpr long long lane_masks[16][lj_lanes] = {
+    {0, 0, 0, 0},   {-1, 0, 0, 0},   {0, -1, 0, 0},   {-1, -1, 0, 0},  {0, 0, -1, 0},  {-1, 0, -1, 0},
+    {0, -1, -1, 0}, {-1, -1, -1, 0}, {0, 0, 0, -1},   {-1, 0, 0, -1},  {0, -1, 0, -1}, {-1, -1, 0, -1},
+    {0, 0, -1, -1}, {-1, 0, -1, -1}, {0, -1, -1, -1}, {-1, -1, -1, -1}};
+
 struct Roots {
   Real root, inverse, inverse_square;  // sqrt(X), 1 / sqrt(X), 1 / X
 };
 
 struct Pair {
-  Real scale, strength, slope, offset;  // as LjPairLanes
+  Real scale, strength, steepness, slope, offset;  // as LjPairLanes
 };
 
 #if NANOCARBON_LANES == 8
@@ -110,6 +140,7 @@ struct Neighbours {
 };
 
 // The parameters with carbon and with hydrogen; lanes choose between them.
+template <bool mixed>
 struct PairTable {
   Pair carbon, hydrogen;
 
@@ -117,23 +148,20 @@ struct PairTable {
       : carbon(every(constants.pair[element][0])), hydrogen(every(constants.pair[element][15])) {}
 
   static Pair every(const LjPairLanes& p) {
-    return {all(p.scale[0]), all(p.strength[0]), all(p.slope[0]), all(p.offset[0])};
+    return {all(p.scale[0]), all(p.strength[0]), all(p.steepness[0]), all(p.slope[0]), all(p.offset[0])};
   }
   static Real choose(const Neighbours& n, Real c, Real h) {
     return (Real)_mm512_mask_blend_pd(n.hydrogen, (__m512d)c, (__m512d)h);
   }
   Pair get(const Neighbours& n, const LjEntry*) const {
+    if constexpr (!mixed) return carbon;
     return {choose(n, carbon.scale, hydrogen.scale), choose(n, carbon.strength, hydrogen.strength),
-            choose(n, carbon.slope, hydrogen.slope), choose(n, carbon.offset, hydrogen.offset)};
+            choose(n, carbon.steepness, hydrogen.steepness), choose(n, carbon.slope, hydrogen.slope),
+            choose(n, carbon.offset, hydrogen.offset)};
   }
 };
 
 #else
-
-alignas(32) constexpr long long lane_masks[16][lj_lanes] = {
-    {0, 0, 0, 0},   {-1, 0, 0, 0},   {0, -1, 0, 0},   {-1, -1, 0, 0},  {0, 0, -1, 0},  {-1, 0, -1, 0},
-    {0, -1, -1, 0}, {-1, -1, -1, 0}, {0, 0, 0, -1},   {-1, 0, 0, -1},  {0, -1, 0, -1}, {-1, -1, 0, -1},
-    {0, 0, -1, -1}, {-1, 0, -1, -1}, {0, -1, -1, -1}, {-1, -1, -1, -1}};
 
 // One cluster, or a part of one.
 struct Neighbours {
@@ -157,6 +185,7 @@ struct Neighbours {
   void drop_from(Real x, double limit) { kept &= ~(x >= limit); }
 };
 
+template <bool mixed>
 struct PairTable {
   const LjPairLanes* pairs;
   int part = 0;
@@ -164,21 +193,34 @@ struct PairTable {
   PairTable(const LjConstants& constants, std::uint32_t element) : pairs(constants.pair[element]) {}
 
   Pair get(const Neighbours&, const LjEntry* entry) const {
-    const LjPairLanes& p = pairs[*entry >> lj_kind_bit & 15];
+    const LjPairLanes& p = pairs[mixed ? *entry >> lj_kind_bit & 15 : 0];
     const int l = part * part_lanes;
-    return {load(p.scale + l), load(p.strength + l), load(p.slope + l), load(p.offset + l)};
+    return {load(p.scale + l), load(p.strength + l), load(p.steepness + l), load(p.slope + l),
+            load(p.offset + l)};
   }
 };
 
 #endif
 
-// Estimates of 1 / sqrt(X), refined, take longer than the divider: measured on Zen 5 for four and eight
-// lanes.
+#if NANOCARBON_LANES == 8
+
+// An estimate of 1 / sqrt(X) good to 14 bits, and the series in its error to the last bits. The divider needs twice as
+// many cycles as all the rest of the loop where it is slow (Intel), and takes no longer where it is fast (Zen 5).
+inline Roots roots(Real x) {
+  const Real estimate = (Real)_mm512_maskz_rsqrt14_pd(0xff, (__m512d)x);
+  const Real product = x * estimate;
+  const Real error = 1.0 - product * estimate;
+  const Real rest = error * (0.5 + error * (0.375 + error * 0.3125));
+  const Real inverse = estimate + estimate * rest;
+  return {product + product * rest, inverse, inverse * inverse};
+}
+
+#else
+
+// Refined estimates take longer than the divider here.
 inline Roots roots(Real x) {
   Real root;
-#if NANOCARBON_LANES == 8
-  root = (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
-#elif defined(__AVX__) && NANOCARBON_LANES == 4
+#if defined(__AVX__) && NANOCARBON_LANES == 4
   root = (Real)_mm256_sqrt_pd((__m256d)x);
 #elif defined(__SSE2__) && NANOCARBON_LANES == 2
   root = (Real)_mm_sqrt_pd((__m128d)x);
@@ -190,6 +232,8 @@ inline Roots roots(Real x) {
   const Real inverse_square = 1.0 / x;
   return {root, root * inverse_square, inverse_square};
 }
+
+#endif
 
 // 2^x to the last bits, for any x below 1000; the polynomial through the Chebyshev points of [-1/2, 1/2] is
 // good to 3e-17.
@@ -215,10 +259,23 @@ inline Real power_of_two(Real x) {
   return (Real)((Mask)value + ((Mask)shifted << 52));
 }
 
-template <bool morse, bool energy, bool hard_cutoff>
+// The sums over lanes go to one lane of a cluster's components. Whole vectors are written, as whole vectors are
+// read again soon: a processor hands over what it has just written only in one piece.
+inline void add_to_lane(double (*force)[lj_lanes], std::uint32_t lane, Real x, Real y, Real z) {
+  const std::uint32_t part = lane / part_lanes * part_lanes;
+  PartMask mask;
+  __builtin_memcpy(&mask, lane_masks[1u << lane] + part, sizeof mask);
+  const double sums[3] = {sum(x), sum(y), sum(z)};
+  for (int d = 0; d < 3; ++d) {
+    const Part value = (Part)((PartMask)(Part{} + sums[d]) & mask);
+    store(force[d] + part, load<Part>(force[d] + part) + value);
+  }
+}
+
+template <bool morse, bool energy, bool hard_cutoff, bool mixed>
 double evaluate_rows(const LjData& data) {
   const LjConstants& c = *data.constants;
-  const Real begin = all(c.begin), c_6 = all(c.inverse_width_6), slope_to_a = all(c.slope_to_a);
+  const Real begin = all(c.begin), slope_to_a = all(c.slope_to_a);
   LjCluster* clusters = data.clusters;
   Real energies = Real{};
   for (std::size_t r = 0; r < data.row_count; ++r) {
@@ -228,7 +285,7 @@ double evaluate_rows(const LjData& data) {
     const Real own_x = all(own.position[0][lane]);
     const Real own_y = all(own.position[1][lane]);
     const Real own_z = all(own.position[2][lane]);
-    PairTable table(c, row.element);
+    PairTable<mixed> table(c, mixed ? row.element : 0);
     Real force_x = Real{}, force_y = Real{}, force_z = Real{};
     const LjEntry* end = data.entries + row.end;
     for (const LjEntry* entry = data.entries + row.begin; entry != end; entry += group)
@@ -255,33 +312,36 @@ double evaluate_rows(const LjData& data) {
         } else {
           const Real q2 = s.inverse_square * s.inverse_square;
           const Real q3 = q2 * s.inverse_square;
-          const Real well = q3 * c_6 - 1.0;
-          const Real steep = q3 * c_6 + well;
-          const Real front = pair.strength * (q2 * q2 * rest);
+          const Real well = q3 * pair.steepness - pair.strength;
+          const Real steep = q3 * pair.steepness + well;
+          const Real front = q2 * q2 * rest;
           force = n.only(front * (steep * cubic + well * t * s.root));
           if (energy) energies += n.only(front * well * cubic * squared);
         }
-        force_x += force * x;
-        force_y += force * y;
-        force_z += force * z;
-        n.set(3, n.get(3) - force * x);
-        n.set(4, n.get(4) - force * y);
-        n.set(5, n.get(5) - force * z);
+        force_x = multiply_add(force, x, force_x);
+        force_y = multiply_add(force, y, force_y);
+        force_z = multiply_add(force, z, force_z);
+        n.set(3, multiply_subtract(force, x, n.get(3)));
+        n.set(4, multiply_subtract(force, y, n.get(4)));
+        n.set(5, multiply_subtract(force, z, n.get(5)));
       }
-    own.force[0][lane] += sum(force_x);
-    own.force[1][lane] += sum(force_y);
-    own.force[2][lane] += sum(force_z);
+    add_to_lane(own.force, lane, force_x, force_y, force_z);
   }
   return sum(energies) / 6.0;
 }
 
 double evaluate(const LjData& data, LjVariant variant) {
-  static constexpr double (*loops[2][2][2])(const LjData&) = {
-      {{evaluate_rows<false, false, false>, evaluate_rows<false, false, true>},
-       {evaluate_rows<false, true, false>, evaluate_rows<false, true, true>}},
-      {{evaluate_rows<true, false, false>, evaluate_rows<true, false, true>},
-       {evaluate_rows<true, true, false>, evaluate_rows<true, true, true>}}};
-  return loops[variant.morse][variant.energy][variant.hard_cutoff](data);
+  using Loop = double (*)(const LjData&);
+  static constexpr Loop loops[2][2][2][2] = {
+      {{{evaluate_rows<false, false, false, false>, evaluate_rows<false, false, false, true>},
+        {evaluate_rows<false, false, true, false>, evaluate_rows<false, false, true, true>}},
+       {{evaluate_rows<false, true, false, false>, evaluate_rows<false, true, false, true>},
+        {evaluate_rows<false, true, true, false>, evaluate_rows<false, true, true, true>}}},
+      {{{evaluate_rows<true, false, false, false>, evaluate_rows<true, false, false, true>},
+        {evaluate_rows<true, false, true, false>, evaluate_rows<true, false, true, true>}},
+       {{evaluate_rows<true, true, false, false>, evaluate_rows<true, true, false, true>},
+        {evaluate_rows<true, true, true, false>, evaluate_rows<true, true, true, true>}}}};
+  return loops[variant.morse][variant.energy][variant.hard_cutoff][variant.mixed](data);
 }
 
 LjCounts search(const LjSearch& data, LjRow* rows, LjEntry* entries) {

@@ -82,6 +82,7 @@ void LjListBuilder::close_chunk() {
     copy(sites_.atoms, chunk.atoms);
     copy(sites_.images, chunk.images);
     chunk.real.push_back(sites_.real[cluster]);
+    chunk.mixed |= sites_.hydrogens[cluster] != 0;
   }
   chunk.real.back() = 0;
   chunk.clusters.resize(touched_.size());

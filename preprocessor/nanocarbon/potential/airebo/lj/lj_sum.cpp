@@ -66,7 +66,7 @@ LjResult LjSum::evaluate(double* forces, LjWanted wanted) {
     LjChunk& chunk = lists_.chunks[c];
     const LjData data = {&constants_, chunk.clusters.data(), chunk.rows.data(), chunk.rows.size(),
                          chunk.entries.data()};
-    chunk_results_[c].energy = kernel_->evaluate(data, lj_variant(parameters_, wanted.energy));
+    chunk_results_[c].energy = kernel_->evaluate(data, lj_variant(parameters_, wanted.energy, chunk.mixed));
     if (wanted.virial) chunk_results_[c].virial = virial_of(chunk);
   });
   const std::size_t atoms = lists_.offsets.empty() ? 0 : lists_.offsets.size() - 1;
