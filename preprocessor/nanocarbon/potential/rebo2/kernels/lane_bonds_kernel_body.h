@@ -119,7 +119,7 @@ NANOCARBON_INLINE LaneArm load_arm(const LaneEdges& edges, const std::uint32_t* 
   a.cosine = clamped(sign * dot(axis, a.u), -1.0, 1.0);
   const Real sine_squared = 1.0 - a.cosine * a.cosine;
   const Mask counts = sine_squared > 1e-18;
-  a.inverse_sine = counts ? 1.0 / square_root(counts ? sine_squared : all(1.0)) : Real{};
+  a.inverse_sine = counts ? inverse_square_root(counts ? sine_squared : all(1.0)) : Real{};
   // The linear-angle switch, a cubic over cosines from -1 to -0.995.
   constexpr double window = 0.005;
   const Real t = smaller((a.cosine + 1.0) * (1.0 / window), all(1.0));

@@ -49,7 +49,7 @@ NANOCARBON_INLINE void add_pair_terms(const LaneEdges& edges, const LaneCentres&
     const bool to_hydrogen = s >= centres.carbons;
     const PairTerms v =
         pair_terms(edges.constants->pairs[(centres.hydrogen ? 1 : 0) + (to_hydrogen ? 1 : 0)], b.r[s]);
-    const Real p = 1.0 / square_root(b.sum[s]);
+    const Real p = inverse_square_root(b.sum[s]);
     Real half = all(0.5);
     // As in LAMMPS, a bond that is as good as cut has no terms of its own.
     if constexpr (!whole) half = b.weight[s] > 1e-9 ? half : Real{};
@@ -200,7 +200,7 @@ NANOCARBON_INLINE void hydrogen_centre(const LaneEdges& edges, const LaneCentres
     if (n == 1) break;
     const double rho = c.pairs[s >= centres.carbons ? 2 : 1].equilibrium;
     stretch[s] = exponential(lambda_slope * (rho - b.r[s]));
-    inverse_stretch[s] = 1.0 / stretch[s];
+    inverse_stretch[s] = inverse(stretch[s]);
   }
   for (int j = 0, angle = 0; j < n; ++j)
     for (int k = j + 1; k < n; ++k, ++angle) {

@@ -13,9 +13,10 @@ inline void measure(const LaneEdges& edges, std::size_t begin, std::size_t end) 
     const Records p = load_records(edges.positions, from);
     const Records q = load_records(edges.positions, to);
     const Vector delta = {q.a - p.a, q.b - p.b, q.c - p.c};
-    const Real r = square_root(dot(delta, delta));
-    const Real inverse = 1.0 / r;
-    store_records(edges.geometry, place, {delta.x * inverse, delta.y * inverse, delta.z * inverse, r});
+    const Real squared = dot(delta, delta);
+    const Real inverse_r = inverse_square_root(squared);
+    const Real r = squared * inverse_r;
+    store_records(edges.geometry, place, {delta.x * inverse_r, delta.y * inverse_r, delta.z * inverse_r, r});
 
     // The windows stand at the beginning of each pair's parameters.
     constexpr std::uint32_t stride = sizeof(LanePair) / (4 * sizeof(double));
@@ -47,11 +48,11 @@ inline void pull(const LaneEdges& edges, std::size_t end, double* forces) {
     const Records gradient = load_records(edges.gradient, place);
     const Vector u = {geometry.a, geometry.b, geometry.c};
     const Vector by_direction = {gradient.a, gradient.b, gradient.c};
-    const Real inverse = 1.0 / geometry.d;
-    const Real along = gradient.d - dot(by_direction, u) * inverse;
+    const Real inverse_r = inverse(geometry.d);
+    const Real along = gradient.d - dot(by_direction, u) * inverse_r;
     store_records(edges.gradient, place,
-                  {along * u.x + by_direction.x * inverse, along * u.y + by_direction.y * inverse,
-                   along * u.z + by_direction.z * inverse, Real{}});
+                  {along * u.x + by_direction.x * inverse_r, along * u.y + by_direction.y * inverse_r,
+                   along * u.z + by_direction.z * inverse_r, Real{}});
   }
   constexpr int width = sizeof(Quad) / sizeof(double);
   for (std::size_t e = 0; e < end;) {

@@ -169,8 +169,8 @@ NANOCARBON_INLINE Real exponential(Real x) {
 //! 1 for t <= 0, 0 for t >= 1, half a cosine wave between them, and its slope over t.
 NANOCARBON_INLINE ValueAndSlope cosine_switch(Real t) {
   constexpr double pi = 3.14159265358979323846;
-  const Real inside = clamped(t, 0.0, 1.0);
-  const Real x = (inside - 0.5) * pi;
+  const Mask inside = (t > 0.0) & (t < 1.0);
+  const Real x = (clamped(t, 0.0, 1.0) - 0.5) * pi;
   const Real x2 = x * x;
   Real sine = all(1.0), cosine = all(1.0);
   // Taylor series: x is within a quarter turn.
@@ -178,7 +178,9 @@ NANOCARBON_INLINE ValueAndSlope cosine_switch(Real t) {
     cosine = 1.0 - x2 * cosine * (1.0 / (k * (k - 1)));
     sine = 1.0 - x2 * sine * (1.0 / (k * (k + 1)));
   }
-  return {0.5 - 0.5 * x * sine, ((t > 0.0) & (t < 1.0)) ? -0.5 * pi * cosine : Real{}};
+  // Exact outside, where weights are compared with 0 and 1.
+  return {inside ? 0.5 - 0.5 * x * sine : (t > 0.0 ? Real{} : all(1.0)),
+          inside ? -0.5 * pi * cosine : Real{}};
 }
 
 //! Coefficients of a quintic by piece, [power][piece]; at most four pieces.
@@ -229,8 +231,8 @@ NANOCARBON_INLINE ValueAndSlope attraction(const LanePair& p, Real r) {
 
 NANOCARBON_INLINE PairTerms pair_terms(const LanePair& p, Real r) {
   const Real decay = p.repulsion * exponential(-p.repulsion_decay * r);
-  const Real inverse = 1.0 / r;
-  const Real screened = 1.0 + p.screening * inverse;
-  return {{screened * decay, -decay * (p.repulsion_decay * screened + p.screening * inverse * inverse)},
+  const Real inverse_r = inverse(r);
+  const Real screened = 1.0 + p.screening * inverse_r;
+  return {{screened * decay, -decay * (p.repulsion_decay * screened + p.screening * inverse_r * inverse_r)},
           attraction(p, r)};
 }

@@ -3,21 +3,18 @@
 // inside whose unnamed namespace everything stays. Written with the vector types of GCC and Clang.
 
 #include "nanocarbon/potential/rebo2/kernels/lanes_kernel_body.h"
+#include "nanocarbon/potential/rebo2/kernels/sp2_records_kernel_body.h"
 
 static_assert(sp2_block % lanes == 0 && sp2_block <= 32);
 
-inline Vector load_vector(const double* from) {
-  return {load(from), load(from + sp2_block), load(from + 2 * sp2_block)};
-}
-
-inline void store(double* to, const Vector& v) {
-  store(to, v.x);
-  store(to + sp2_block, v.y);
-  store(to + 2 * sp2_block, v.z);
+inline void put(Real* to, const Vector& v) {
+  to[0] = v.x;
+  to[1] = v.y;
+  to[2] = v.z;
 }
 
 // The sine of an angle outside the fast case must not make infinities: such lanes are multiplied by zero.
-inline Real inverse_sine_squared(Real cosine) { return 1.0 / larger(1.0 - cosine * cosine, all(1e-3)); }
+inline Real sine_squared(Real cosine) { return larger(1.0 - cosine * cosine, all(1e-3)); }
 
 struct Tensor {
   Real xx, yy, zz, xy, xz, yz;
@@ -51,14 +48,30 @@ struct Arm {
   int arm, angle;
 };
 
-inline ValueAndSlope angular(const Sp2Constants& c, Real x) {
+//! Coefficients of g_C, by power; four pieces.
+struct Angular {
+  alignas(64) double table[6][8];
+
+  inline explicit Angular(const Sp2Constants& c) {
+    for (int power = 0; power < 6; ++power)
+      for (int piece = 0; piece < 8; ++piece) table[power][piece] = c.angular[piece < 4 ? piece : 3][power];
+  }
+};
+
+inline ValueAndSlope angular(const Sp2Constants& c, const Angular& a, Real x) {
   const Mask in1 = x >= c.knots[0], in2 = x >= c.knots[1], in3 = x >= c.knots[2];
   Real k[6];
+#if NANOCARBON_LANES == 8
+  const __m512i piece = (__m512i)(-(in1 + in2 + in3));
+  for (int power = 0; power < 6; ++power)
+    k[power] = (Real)_mm512_maskz_permutexvar_pd(0xff, piece, (__m512d)load(a.table[power]));
+#else
   for (int power = 0; power < 6; ++power) {
-    const Real low = in1 ? all(c.angular[1][power]) : all(c.angular[0][power]);
-    const Real high = in3 ? all(c.angular[3][power]) : all(c.angular[2][power]);
+    const Real low = in1 ? all(a.table[power][1]) : all(a.table[power][0]);
+    const Real high = in3 ? all(a.table[power][3]) : all(a.table[power][2]);
     k[power] = in2 ? high : low;
   }
+#endif
   Real value = k[5];
   Real slope = Real{};
   for (int power = 4; power >= 0; --power) {
@@ -87,10 +100,10 @@ template <bool torsion_energy>
 void first(const Sp2Data& data, std::size_t begin_block, std::size_t end_block) {
   const Sp2Constants& c = *data.constants;
   alignas(64) double positions[12][sp2_block];
-  alignas(64) double made[18][sp2_block];
   for (std::size_t block = begin_block; block < end_block; ++block) {
     fetch_positions(data, block, positions);
     double* geometry = data.geometry + std::size_t{data.slots[block]} * 12 * sp2_block;
+    double* records = data.tensors + std::size_t{data.slots[block]} * 18 * sp2_block;
     std::uint32_t outside = 0;
     for (std::size_t l = 0; l < sp2_block; l += lanes) {
       Vector u[3];
@@ -100,8 +113,9 @@ void first(const Sp2Data& data, std::size_t begin_block, std::size_t end_block) 
                               load(&positions[4 + 3 * s][l]) - load(&positions[1][l]),
                               load(&positions[5 + 3 * s][l]) - load(&positions[2][l])};
         const Real squared = larger(dot(delta, delta), all(1e-2));
-        const Real r = square_root(squared);
-        u[s] = scaled(delta, 1.0 / r);
+        const Real inverse_r = inverse_square_root(squared);
+        const Real r = squared * inverse_r;
+        u[s] = scaled(delta, inverse_r);
         bad |= (r < c.shortest) | (r > c.longest);
         store(geometry + (4 * s) * sp2_block + l, u[s].x);
         store(geometry + (4 * s + 1) * sp2_block + l, u[s].y);
@@ -109,46 +123,35 @@ void first(const Sp2Data& data, std::size_t begin_block, std::size_t end_block) 
         store(geometry + (4 * s + 3) * sp2_block + l, r);
       }
       Tensor tensors[3] = {};
+      Real made[18];
       for (int s = 0; s < 3; ++s) {
         const int k = (s + 1) % 3;
         const Real cosine = dot(u[s], u[k]);
-        const Real inverse_sine2 = inverse_sine_squared(cosine);
         bad |= (cosine < c.lowest_cosine) | (cosine > c.highest_cosine);
         if constexpr (torsion_energy) {
-          const Real inverse_sine = square_root(inverse_sine2);
-          store(&made[6 * s][l], across(u[s], u[k], cosine, inverse_sine));
-          store(&made[6 * k + 3][l], across(u[k], u[s], cosine, inverse_sine));
+          const Real inverse_sine = inverse_square_root(sine_squared(cosine));
+          put(&made[6 * s], across(u[s], u[k], cosine, inverse_sine));
+          put(&made[6 * k + 3], across(u[k], u[s], cosine, inverse_sine));
         } else {
+          const Real inverse_sine2 = inverse(sine_squared(cosine));
           add_projected(tensors[s], u[s], u[k], cosine, inverse_sine2);
           add_projected(tensors[k], u[k], u[s], cosine, inverse_sine2);
         }
       }
       if constexpr (!torsion_energy)
         for (int s = 0; s < 3; ++s) {
-          store(&made[6 * s][l], tensors[s].xx);
-          store(&made[6 * s + 1][l], tensors[s].yy);
-          store(&made[6 * s + 2][l], tensors[s].zz);
-          store(&made[6 * s + 3][l], tensors[s].xy);
-          store(&made[6 * s + 4][l], tensors[s].xz);
-          store(&made[6 * s + 5][l], tensors[s].yz);
+          made[6 * s] = tensors[s].xx;
+          made[6 * s + 1] = tensors[s].yy;
+          made[6 * s + 2] = tensors[s].zz;
+          made[6 * s + 3] = tensors[s].xy;
+          made[6 * s + 4] = tensors[s].xz;
+          made[6 * s + 5] = tensors[s].yz;
         }
+      store_eighteens(records + 18 * l, made);
       for (int m = 0; m < lanes; ++m) outside |= static_cast<std::uint32_t>(bad[m] & 1) << (l + m);
     }
     data.outside[block] = outside;
-    double* out = data.tensors + std::size_t{data.slots[block]} * 18 * sp2_block;
-    for (std::size_t l = 0; l < sp2_block; ++l)
-      for (int k = 0; k < 18; ++k) out[18 * l + k] = made[k][l];
   }
-}
-
-// The other ends' tensors: [6 s + piece][lane].
-inline void fetch_tensors(const Sp2Data& data, std::size_t block, double (*to)[sp2_block]) {
-  const std::uint32_t* reverses = data.reverses + block * 3 * sp2_block;
-  for (int s = 0; s < 3; ++s)
-    for (std::size_t l = 0; l < sp2_block; ++l) {
-      const double* t = data.tensors + 6 * std::size_t{reverses[s * sp2_block + l]};
-      for (int k = 0; k < 6; ++k) to[6 * s + k][l] = t[k];
-    }
 }
 
 inline void scatter_forces(const Sp2Data& data, std::size_t block, const double (*pulls)[sp2_block]) {
@@ -173,12 +176,12 @@ struct Dihedrals {
 // Takes the other end's unit vectors, and adds derivatives: of the sum of squared cosines by_square / 2, of
 // the torsion sum by_torsion.
 inline Dihedrals add_dihedrals(const Vector (&other)[2], const Arm (&arms)[2], const Vector* u,
-                               const Real* cosine, const Real* inverse_sine2, Real by_square, Real by_torsion,
+                               const Real* cosine, const Real* inverse_sines, Real by_square, Real by_torsion,
                                Vector* by_direction, Vector& by_axis, Real* by_angle) {
   Dihedrals made;
   for (int n = 0; n < 2; ++n) {
     const auto [arm, angle] = arms[n];
-    const Real inverse_sine = square_root(inverse_sine2[angle]);
+    const Real inverse_sine = inverse_sines[angle];
     Vector y = {};
     Real q = Real{};
     for (const Vector& e : other) {
@@ -191,7 +194,7 @@ inline Dihedrals add_dihedrals(const Vector (&other)[2], const Arm (&arms)[2], c
       add(y, e, by_x);
       q += by_x * x;
     }
-    by_angle[angle] += q * cosine[angle] * inverse_sine2[angle];
+    by_angle[angle] += q * cosine[angle] * (inverse_sine * inverse_sine);
     add(by_direction[arm], y, inverse_sine);
     add(by_axis, y, -cosine[angle] * inverse_sine);
   }
@@ -201,11 +204,11 @@ inline Dihedrals add_dihedrals(const Vector (&other)[2], const Arm (&arms)[2], c
 template <bool torsion_energy>
 void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block, Sp2Energy* energy) {
   const Sp2Constants& c = *data.constants;
+  const Angular coefficients(c);
   Real repulsive = Real{}, sigma_pi = Real{}, conjugation = Real{}, dihedral = Real{}, torsional = Real{};
-  alignas(64) double tensors[18][sp2_block];
   alignas(64) double pulls[9][sp2_block];
   for (std::size_t block = begin_block; block < end_block; ++block) {
-    fetch_tensors(data, block, tensors);
+    const std::uint32_t* reverses = data.reverses + block * 3 * sp2_block;
     const double* geometry = data.geometry + std::size_t{data.slots[block]} * 12 * sp2_block;
     const Sp2Modifiers& modifiers = *data.modifiers[block];
     for (std::size_t l = 0; l < sp2_block; l += lanes) {
@@ -217,12 +220,14 @@ void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block,
         r[s] = load(geometry + (4 * s + 3) * sp2_block + l);
       }
       // Angle s is the one opposite to bond s: between bonds s + 1 and s + 2.
-      Real cosine[3], inverse_sine2[3], by_cosine[3];
+      // What the dihedrals need of its sine: 1 / sine with the torsion energy, else the square of that.
+      Real cosine[3], inverse_sine[3], by_cosine[3];
       ValueAndSlope g[3];
       for (int s = 0; s < 3; ++s) {
         cosine[s] = dot(u[(s + 1) % 3], u[(s + 2) % 3]);
-        inverse_sine2[s] = inverse_sine_squared(cosine[s]);
-        g[s] = angular(c, cosine[s]);
+        inverse_sine[s] =
+            torsion_energy ? inverse_square_root(sine_squared(cosine[s])) : inverse(sine_squared(cosine[s]));
+        g[s] = angular(c, coefficients, cosine[s]);
         by_cosine[s] = Real{};
       }
       Real by_length[3];
@@ -236,7 +241,7 @@ void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block,
 
         // p = (1 + P + g + g')^(-1/2) over the two angles at this bond.
         const int a = (s + 1) % 3, b = (s + 2) % 3;
-        const Real p = 1.0 / square_root(c.one_plus_p + g[a].value + g[b].value);
+        const Real p = inverse_square_root(c.one_plus_p + g[a].value + g[b].value);
         const Real by_sum = -0.5 * p * p * p * half_a;
         by_cosine[a] += by_sum * g[a].slope;
         by_cosine[b] += by_sum * g[b].slope;
@@ -246,23 +251,25 @@ void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block,
         const Real by_product =
             -4.0 * torsion * half_a;  // both halves of the bond's energy, times 2 of the square
         Real sum = all(4.0), half_t = Real{};
+        Real other_end[6];
+        load_sixes(data.tensors, reverses + s * sp2_block + l, other_end);
         const Arm arms[] = {{a, b}, {b, a}};
         if constexpr (torsion_energy) {
           const Real barrier = torsion != 0.0 ? on * c.torsion_barrier : Real{};
-          const Vector other[] = {load_vector(&tensors[6 * s][l]), load_vector(&tensors[6 * s + 3][l])};
-          const Dihedrals dihedrals = add_dihedrals(other, arms, u, cosine, inverse_sine2, by_product,
-                                                    barrier, by_direction, by_direction[s], by_cosine);
+          const Vector other[] = {{other_end[0], other_end[1], other_end[2]},
+                                  {other_end[3], other_end[4], other_end[5]}};
+          const Dihedrals dihedrals = add_dihedrals(other, arms, u, cosine, inverse_sine, by_product, barrier,
+                                                    by_direction, by_direction[s], by_cosine);
           sum = dihedrals.sum;
           half_t = 0.5 * barrier * dihedrals.torsion;
           torsional += half_t;
         } else {
-          const Tensor m = {load(&tensors[6 * s][l]),     load(&tensors[6 * s + 1][l]),
-                            load(&tensors[6 * s + 2][l]), load(&tensors[6 * s + 3][l]),
-                            load(&tensors[6 * s + 4][l]), load(&tensors[6 * s + 5][l])};
+          const Tensor m = {other_end[0], other_end[1], other_end[2],
+                            other_end[3], other_end[4], other_end[5]};
           for (const auto& [arm, angle] : arms) {
             const Vector y = times(m, u[arm]);
-            const Real q = dot(y, u[arm]) * inverse_sine2[angle];
-            const Real f = by_product * inverse_sine2[angle];
+            const Real q = dot(y, u[arm]) * inverse_sine[angle];
+            const Real f = by_product * inverse_sine[angle];
             sum -= q;
             by_cosine[angle] += f * q * cosine[angle];
             add(by_direction[arm], y, f);
@@ -285,7 +292,7 @@ void second(const Sp2Data& data, std::size_t begin_block, std::size_t end_block,
         const int a = (s + 1) % 3, b = (s + 2) % 3;
         add(by_direction[s], u[a], by_cosine[b]);
         add(by_direction[s], u[b], by_cosine[a]);
-        const Real inverse_r = 1.0 / r[s];
+        const Real inverse_r = inverse(r[s]);
         const Real along = by_length[s] - dot(by_direction[s], u[s]) * inverse_r;
         store(&pulls[3 * s][l], along * u[s].x + by_direction[s].x * inverse_r);
         store(&pulls[3 * s + 1][l], along * u[s].y + by_direction[s].y * inverse_r);
