@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "nanocarbon/potential/periodic_copies.h"
 #include "nanocarbon/potential/rebo2/general_evaluation.h"
 #include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
@@ -150,7 +152,9 @@ TEST_P(LaneEvaluationOf, RemembersBondsUntilTheyChange) {
 TEST_P(LaneEvaluationOf, FindsABondThatForms) {
   Molecule m;
   for (const double x : {0.0, 0.75, 2.75, 3.5}) m.positions.emplace_back(x, 0, 0);
-  m.elements.assign(4, Element::hydrogen);
+  for (int n = 1; n <= 8; ++n)  // and others far away, for most bonds to be steady
+    for (const double x : {0.0, 0.75}) m.positions.emplace_back(x, 5.0 * n, 0);
+  m.elements.assign(m.positions.size(), Element::hydrogen);
   Surroundings s(m);
   lanes_.near_changed(s.view(), s.near.pairs);
   for (const double gap : {2.0, 1.95, 1.85, 1.75, 1.69, 1.5, 1.72}) {
@@ -160,6 +164,67 @@ TEST_P(LaneEvaluationOf, FindsABondThatForms) {
     expect_same(s, evaluate_again(s), m.size(), "gap " + std::to_string(gap));
   }
   EXPECT_EQ(lanes_.remembered_steps(), 5u);
+}
+
+//! Ethane, and molecules of hydrogen far from it and from each other, whose bonds are steady.
+Molecule ethane_in_hydrogen() {
+  Molecule m;
+  for (const double side : {-1.0, 1.0}) {
+    m.positions.emplace_back(side * 0.77, 0, 0);
+    m.elements.push_back(Element::carbon);
+    for (int h = 0; h < 3; ++h) {
+      const double turn = 2.0 * std::numbers::pi / 3.0 * h + (side > 0 ? 0.0 : 0.5);
+      m.positions.emplace_back(side * 1.17, 1.03 * std::cos(turn), 1.03 * std::sin(turn));
+      m.elements.push_back(Element::hydrogen);
+    }
+  }
+  for (int n = 0; n < 15; ++n)
+    for (const double x : {0.0, 0.75}) {
+      m.positions.emplace_back(10.0 + x, 5.0 * n, 0);
+      m.elements.push_back(Element::hydrogen);
+    }
+  return m;
+}
+
+//! Each atom of ethane moved on its own.
+Molecule moved(Molecule m, double distance, int step) {
+  for (int i = 0; i < 8; ++i)
+    m.positions[i] += distance * Vec3(std::sin(1.3 * i + step), std::sin(2.1 * i + 2.0 * step),
+                                      std::sin(0.7 * i + 3.0 * step));
+  return m;
+}
+
+// The hydrogens at one carbon come within a bond's reach of each other and go again, as they do in polyethylene.
+TEST_P(LaneEvaluationOf, RemembersHydrogensThatMeetAndPart) {
+  const Molecule m = ethane_in_hydrogen();
+  Surroundings s(m);
+  lanes_.near_changed(s.view(), s.near.pairs);
+  constexpr std::size_t steps = 40;
+  for (std::size_t step = 0; step < steps; ++step) {
+    const Molecule now = moved(m, 0.06, static_cast<int>(step));
+    s.move(now);
+    expect_same(s, evaluate_again(s), m.size(), "step " + std::to_string(step));
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_EQ(lanes_.remembered_steps(), steps - 1);
+}
+
+// Bonds that change at every step are not worth remembering, until near pairs are looked for again.
+TEST_P(LaneEvaluationOf, RemembersAgainWhenBondsHaveBecomeSteady) {
+  const Molecule m = ethane_in_hydrogen();
+  Surroundings s(m);
+  const auto run = [&](double distance) {
+    lanes_.near_changed(s.view(), s.near.pairs);
+    const std::size_t before = lanes_.remembered_steps();
+    for (int step = 0; step < 50; ++step) {
+      s.move(moved(m, distance, step));
+      expect_same(s, evaluate_again(s), m.size(), "step " + std::to_string(step));
+      if (HasFatalFailure()) break;
+    }
+    return lanes_.remembered_steps() - before;
+  };
+  EXPECT_LT(run(0.4), 10u);
+  EXPECT_EQ(run(0.01), 49u);
 }
 
 //! A carbon with as many others around it, evenly over a sphere of 1.9 Angstrom, in the cut-off window.

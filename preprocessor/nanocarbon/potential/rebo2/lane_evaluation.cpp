@@ -12,7 +12,11 @@ using potential::AtomsView;
 
 namespace {
 
-constexpr std::uint32_t counts = lane_most_bonds + 1;  // of bonds to one element
+// Half-edges that were good for fewer steps than this cost more than they saved,
+constexpr int least_good_steps = 3;
+constexpr int most_bad_memories = 2;
+// as do those of which more than this share belong to restless nodes.
+constexpr double most_restless = 0.75;
 
 //! Whether a table is other than zero around a place.
 bool is_used(const double (*table)[4], int place_i, int place_j) {
@@ -41,32 +45,49 @@ LaneEvaluation::LaneEvaluation(const Rebo2Parameters& parameters, const LaneLoop
       has_dihedrals_[i][j] = torsion || is_used(constants_.t, i, j);
       has_terms_[0][i][j] |= has_dihedrals_[i][j];
     }
-  centre_batches_.resize(std::size_t{4} * counts * counts);
 }
 
 void LaneEvaluation::sort_centres(std::uint32_t own) {
-  for (const std::uint32_t used : used_centres_) centre_batches_[used].first.clear();
-  used_centres_.clear();
+  steady_centre_batches_.clear();
+  restless_centres_.clear();
   for (std::uint32_t i = 0; i < own; ++i) {
     const LaneNode& node = nodes_.nodes()[i];
-    if (node.carbons + node.hydrogens == 0) continue;
-    const bool hydrogen = nodes_.is_hydrogen(i);
-    const bool whole = nodes_.is_steady(i);
-    const std::uint32_t key = ((2u * hydrogen + whole) * counts + node.carbons) * counts + node.hydrogens;
-    CentreBatch& batch = centre_batches_[key];
-    if (batch.first.empty()) {
-      used_centres_.push_back(key);
-      batch.centres = {
-          hydrogen, static_cast<int>(node.carbons), static_cast<int>(node.hydrogens), whole, nullptr, 0};
+    if (node.first == node.end()) continue;
+    if (!nodes_.is_steady(i)) {
+      restless_centres_.push_back(i);
+      continue;
     }
-    batch.first.push_back(node.first);
+    steady_centre_batches_.add({.hydrogen = nodes_.is_hydrogen(i),
+                                .carbons = static_cast<int>(node.carbons),
+                                .hydrogens = static_cast<int>(node.hydrogens),
+                                .whole = true,
+                                .first = nullptr,
+                                .count = 0},
+                               node.first);
   }
-  for (const std::uint32_t used : used_centres_) {
-    CentreBatch& batch = centre_batches_[used];
-    batch.centres.count = batch.first.size();
-    while (batch.first.size() % lane_block != 0) batch.first.push_back(batch.first.back());
-    batch.centres.first = batch.first.data();
+  steady_centre_batches_.finish();
+}
+
+// By the bonds that they have now.
+void LaneEvaluation::sort_restless_centres() {
+  restless_centre_batches_.clear();
+  for (const std::uint32_t i : restless_centres_) {
+    const LaneNode& node = nodes_.nodes()[i];
+    const std::uint32_t bonds = node.bonded_carbons + node.bonded_hydrogens;
+    bool whole = nodes_.whole_place(i) >= 0;
+    for (std::uint32_t e = node.first; e < node.first + bonds; ++e) whole &= nodes_.weight(e) == 1.0;
+    for (std::uint32_t e = node.first + bonds; e < node.end(); ++e)
+      std::fill_n(nodes_.gradient().begin() + 4 * std::ptrdiff_t{e}, 4, 0.0);
+    if (bonds == 0) continue;
+    restless_centre_batches_.add({.hydrogen = nodes_.is_hydrogen(i),
+                                  .carbons = static_cast<int>(node.bonded_carbons),
+                                  .hydrogens = static_cast<int>(node.bonded_hydrogens),
+                                  .whole = whole,
+                                  .first = nullptr,
+                                  .count = 0},
+                                 node.first);
   }
+  restless_centre_batches_.finish();
 }
 
 void LaneEvaluation::find_conjugation(LaneNode& node) {
@@ -99,18 +120,22 @@ void LaneEvaluation::add_bond(const Selected& selected, std::uint32_t own, LaneB
                         .pair = nodes_.pair(edge),
                         .dihedrals = selected.dihedrals,
                         .triangles = false,
-                        .arms_i = i.end() - i.first - 1,
-                        .arms_j = j.end() - j.first - 1,
+                        .arms_i = 0,
+                        .arms_j = 0,
                         .arms = {},
                         .numbers = {}};
   if (selected.dihedrals) {
     std::uint32_t* arm = arms.data();
-    for (std::uint32_t e = i.first; e < i.end(); ++e)
-      if (e != edge) *arm++ = e;
+    for (std::uint32_t e = i.first; e < i.end(); ++e) {
+      if (e == edge || nodes_.is_beyond(e)) continue;
+      *arm++ = e;
+      ++bond.arms_i;
+    }
     for (std::uint32_t e = j.first; e < j.end(); ++e) {
-      if (e == bond.reverse) continue;
+      if (e == bond.reverse || nodes_.is_beyond(e)) continue;
       for (std::uint32_t a = 0; a < bond.arms_i; ++a) bond.triangles |= nodes_.to(e) == nodes_.to(arms[a]);
       *arm++ = e;
+      ++bond.arms_j;
     }
     bond.arms = {arms.data(), std::size_t{bond.arms_i} + bond.arms_j};
   }
@@ -151,7 +176,21 @@ bool LaneEvaluation::find_terms(std::uint32_t own) {
       if (has_terms_[pair][at_i][at_j]) selected_.push_back({e, pair == 0 && has_dihedrals_[at_i][at_j]});
     }
   }
-  // N_conj needs the coordination of all neighbours of both ends.
+  if (!find_neighbours_of_copies(own)) return false;
+  is_conjugated_.assign(nodes_.nodes().size(), 0);
+  for (const Selected& bond : selected_) {
+    if (has_steady_neighbours(nodes_.of(nodes_.from(bond.edge))) &&
+        has_steady_neighbours(nodes_.of(nodes_.to(bond.edge))))
+      add_bond(bond, own, steady_batches_);
+    else
+      restless_bonds_.push_back(bond.edge);
+  }
+  steady_batches_.keep_numbers();
+  return true;
+}
+
+// N_conj needs the coordination of all neighbours of both ends; false as of evaluate().
+bool LaneEvaluation::find_neighbours_of_copies(std::uint32_t own) {
   const auto known = static_cast<std::uint32_t>(nodes_.nodes().size());
   const auto measured = static_cast<std::uint32_t>(nodes_.edge_count());
   bool few = true;
@@ -167,16 +206,22 @@ bool LaneEvaluation::find_terms(std::uint32_t own) {
   nodes_.measure_from(known, measured);
   const std::size_t edges = nodes_.edge_count();
   if (conjugation_.size() < edges) conjugation_.resize(edges + edges / 4);
-  is_conjugated_.assign(nodes_.nodes().size(), 0);
-  for (const Selected& bond : selected_) {
-    if (has_steady_neighbours(nodes_.of(nodes_.from(bond.edge))) &&
-        has_steady_neighbours(nodes_.of(nodes_.to(bond.edge))))
-      add_bond(bond, own, steady_batches_);
-    else
-      restless_bonds_.push_back(bond.edge);
-  }
-  steady_batches_.keep_numbers();
   return true;
+}
+
+// Where its ends' coordination numbers without it are in the tables; negative where it is no bond.
+std::array<int, 2> LaneEvaluation::places_in_tables(std::uint32_t e) const {
+  const double weight = nodes_.weight(e);
+  if (weight <= negligible) return {-1, -1};
+  const std::uint32_t i = nodes_.from(e), j = nodes_.to(e);
+  const int at_i = nodes_.whole_place(i), at_j = nodes_.whole_place(j);
+  if ((at_i | at_j) >= 0) return {at_i, at_j};
+  return {table_place(nodes_.coordination(i) - weight), table_place(nodes_.coordination(j) - weight)};
+}
+
+bool LaneEvaluation::may_have_terms(std::uint32_t e) const {
+  const auto [at_i, at_j] = places_in_tables(e);
+  return at_i >= 0 && has_terms_[nodes_.pair(e)][at_i][at_j];
 }
 
 void LaneEvaluation::select_restless(std::uint32_t own) {
@@ -184,30 +229,59 @@ void LaneEvaluation::select_restless(std::uint32_t own) {
   if (restless_bonds_.empty()) return;
   is_conjugated_.assign(nodes_.nodes().size(), 0);
   for (const std::uint32_t e : restless_bonds_) {
-    const std::uint32_t i = nodes_.from(e), j = nodes_.to(e);
-    int at_i = nodes_.whole_place(i), at_j = nodes_.whole_place(j);
-    if ((at_i | at_j) < 0) {
-      const double weight = nodes_.weight(e);
-      if (weight <= negligible) continue;
-      at_i = table_place(nodes_.coordination(i) - weight);
-      at_j = table_place(nodes_.coordination(j) - weight);
-    }
+    const auto [at_i, at_j] = places_in_tables(e);
+    if (at_i < 0) continue;
     const std::uint32_t pair = nodes_.pair(e);
     if (has_terms_[pair][at_i][at_j])
       add_bond({e, pair == 0 && has_dihedrals_[at_i][at_j]}, own, restless_batches_);
   }
 }
 
+// Finds half-edges, and what can be kept with them; false as of evaluate().
+bool LaneEvaluation::find_and_remember(std::uint32_t own) {
+  if (!nodes_.find(own, true)) return false;
+  remembers_ = nodes_.restless(own) <= most_restless * own;
+  if (!remembers_) return true;
+  if (!find_terms(own)) return false;
+  sort_centres(own);
+  nodes_.remember();
+  return true;
+}
+
+// Half-edges for this step alone: all atoms and bonds are as restless ones.
+bool LaneEvaluation::find_for_once(std::uint32_t own) {
+  if (!nodes_.find(own, false)) return false;
+  steady_batches_.clear();
+  steady_centre_batches_.clear();
+  restless_centres_.clear();
+  selected_.clear();
+  restless_bonds_.clear();
+  for (std::uint32_t i = 0; i < own; ++i) {
+    const LaneNode& node = nodes_.nodes()[i];
+    if (node.first != node.end()) restless_centres_.push_back(i);
+    for (std::uint32_t e = node.first; e < node.end(); ++e)
+      if (nodes_.to(e) > i && may_have_terms(e)) restless_bonds_.push_back(e);
+  }
+  return find_neighbours_of_copies(own);
+}
+
 // Everything that is known of the bonds before the loops run; false as of evaluate().
 bool LaneEvaluation::arrange(std::uint32_t own) {
   if (nodes_.same_as_remembered()) {
     ++remembered_steps_;
+    ++good_steps_;
     steady_batches_.restore_numbers();
   } else {
-    if (!nodes_.find(own) || !find_terms(own)) return false;
-    sort_centres(own);
-    nodes_.remember();
+    if (remembers_ && good_steps_ < least_good_steps) ++bad_memories_;
+    good_steps_ = 0;
+    remembers_ = bad_memories_ < most_bad_memories;
+    if (remembers_ && !find_and_remember(own)) return false;
+    if (!remembers_) {
+      bad_memories_ = most_bad_memories;
+      if (!find_for_once(own)) return false;
+    }
   }
+  sort_restless_centres();
   select_restless(own);
   return true;
 }
@@ -281,8 +355,9 @@ std::optional<EnergyParts> LaneEvaluation::evaluate(const AtomsView& atoms, doub
   energies_.assign(atom_energies ? nodes_.edge_count() : 0, 0.0);
   const LaneEdges edges = nodes_.edges(atom_energies ? energies_.data() : nullptr);
   LaneEnergy energy = {};
-  for (const std::uint32_t used : used_centres_)
-    loops_.centres(edges, centre_batches_[used].centres, &energy);
+  const auto run_centres = [&](const LaneCentres& centres) { loops_.centres(edges, centres, &energy); };
+  steady_centre_batches_.for_each(run_centres);
+  restless_centre_batches_.for_each(run_centres);
   std::size_t pulled = own_edges;
   if (!steady_batches_.empty() || !restless_batches_.empty()) {
     pulled = nodes_.edge_count();
@@ -292,10 +367,13 @@ std::optional<EnergyParts> LaneEvaluation::evaluate(const AtomsView& atoms, doub
     restless_batches_.for_each(run);
     add_derivatives_by_weight();
   }
-  forces_.assign(4 * std::size_t{atoms.all}, 0.0);
+  forces_.resize(4 * std::size_t{atoms.all}, 0.0);  // zeros are left behind
   loops_.pull(edges, pulled, forces_.data());
   for (std::size_t i = 0; i < atoms.all; ++i)
-    for (int d = 0; d < 3; ++d) forces[3 * i + d] += forces_[4 * i + d];
+    for (int d = 0; d < 3; ++d) {
+      forces[3 * i + d] += forces_[4 * i + d];
+      forces_[4 * i + d] = 0.0;
+    }
   if (atom_energies)
     for (std::uint32_t e = 0; e < own_edges; ++e) {
       atom_energies[nodes_.from(e)] += 0.5 * energies_[e];

@@ -9,6 +9,7 @@
 #include "nanocarbon/potential/near_pairs.h"
 #include "nanocarbon/potential/rebo2/energy_parts.h"
 #include "nanocarbon/potential/rebo2/lane_bond_batches.h"
+#include "nanocarbon/potential/rebo2/lane_centre_batches.h"
 #include "nanocarbon/potential/rebo2/lane_nodes.h"
 
 namespace nanocarbon::rebo2 {
@@ -20,7 +21,9 @@ namespace nanocarbon::rebo2 {
 //! conjugation costs no sum over the neighbours' neighbours of each bond.
 //!
 //! What is found is kept from step to step while the half-edges stay good (LaneNodes). Bonds between steady nodes with
-//! steady neighbours have the same coordination numbers then, whatever moves; the others are selected anew.
+//! steady neighbours have the same coordination numbers then, whatever moves; the others are selected anew. Where
+//! many nodes are restless, or half-edges have gone bad within a few steps, as in hot matter, nothing is
+//! remembered until the near pairs change.
 class LaneEvaluation {
  public:
   LaneEvaluation(const Rebo2Parameters& parameters, const LaneLoops& loops,
@@ -31,6 +34,8 @@ class LaneEvaluation {
   //! To be called whenever the atoms, their elements or the near pairs have changed.
   void near_changed(const potential::AtomsView& atoms, const potential::NearPairs& near) {
     nodes_.near_changed(atoms, near);
+    remembers_ = false;
+    bad_memories_ = 0;
   }
 
   //! \brief Arguments and result as of evaluate_general().
@@ -55,14 +60,16 @@ class LaneEvaluation {
     std::uint32_t edge;
     bool dihedrals;
   };
-  struct CentreBatch {
-    LaneCentres centres = {};
-    std::vector<std::uint32_t> first;
-  };
 
   bool arrange(std::uint32_t own);
+  bool find_and_remember(std::uint32_t own);
+  bool find_for_once(std::uint32_t own);
   void sort_centres(std::uint32_t own);
+  void sort_restless_centres();
   bool find_terms(std::uint32_t own);
+  bool find_neighbours_of_copies(std::uint32_t own);
+  std::array<int, 2> places_in_tables(std::uint32_t edge) const;
+  bool may_have_terms(std::uint32_t edge) const;
   void select_restless(std::uint32_t own);
   bool has_steady_neighbours(const LaneNode& node) const;
   void find_conjugation(LaneNode& node);
@@ -80,6 +87,9 @@ class LaneEvaluation {
 
   LaneNodes nodes_;
   std::size_t remembered_steps_ = 0;
+  bool remembers_ = false;                     // half-edges
+  int good_steps_ = 0;                         // since they were found
+  int bad_memories_ = 0;                       // since the near pairs changed
   std::vector<double> forces_;                 // [atom][4]
   std::vector<double> energies_;               // [edge]
   std::vector<Conjugation> conjugation_;       // [edge] of nodes that have it
@@ -87,9 +97,9 @@ class LaneEvaluation {
   std::vector<std::uint32_t> differentiated_;  // nodes with derivatives by their coordination or sum
   std::vector<char> is_differentiated_;        // [node]
   std::vector<Selected> selected_;
-  std::vector<std::uint32_t> restless_bonds_;  // half-edges
-  std::vector<CentreBatch> centre_batches_;
-  std::vector<std::uint32_t> used_centres_;
+  std::vector<std::uint32_t> restless_bonds_;    // half-edges
+  std::vector<std::uint32_t> restless_centres_;  // own atoms
+  LaneCentreBatches steady_centre_batches_, restless_centre_batches_;
   LaneBondBatches steady_batches_, restless_batches_;
 };
 

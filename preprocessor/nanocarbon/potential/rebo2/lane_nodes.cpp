@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/potential/rebo2/lane_nodes.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -38,13 +39,20 @@ void LaneNodes::near_changed(const AtomsView& atoms, const NearPairs& near) {
   near_.offsets = near.offsets;
   near_.atoms.resize(near.atoms.size());
   near_hydrogens_.resize(atoms.all);
+  std::vector<std::uint32_t> hydrogens;
   for (std::uint32_t i = 0; i < atoms.all; ++i) {
+    const auto row = near.of(i);
     std::uint32_t* to = near_.atoms.data() + near.offsets[i];
-    for (const std::uint32_t j : near.of(i))
-      if (atoms.elements[j] == Element::carbon) *to++ = j;
-    near_hydrogens_[i] = static_cast<std::uint32_t>(to - near_.atoms.data());
-    for (const std::uint32_t j : near.of(i))
-      if (atoms.elements[j] == Element::hydrogen) *to++ = j;
+    if (hydrogens.size() < row.size()) hydrogens.resize(row.size());
+    std::size_t carbons = 0, others = 0;
+    for (const std::uint32_t j : row) {  // without branches: elements come in any order
+      const bool hydrogen = atoms.elements[j] == Element::hydrogen;
+      to[carbons] = hydrogens[others] = j;
+      carbons += !hydrogen;
+      others += hydrogen;
+    }
+    std::copy_n(hydrogens.begin(), others, to + carbons);
+    near_hydrogens_[i] = near.offsets[i] + static_cast<std::uint32_t>(carbons);
   }
   // No more half-edges than near pairs, and a block beyond them.
   const std::size_t most = near.atoms.size() + lane_block;
@@ -106,7 +114,7 @@ void LaneNodes::measure_from(std::uint32_t node, std::uint32_t edge) {
   if (edge < edge_count_) loops_.measure(edges(nullptr), edge, edge_count_);
   is_steady_.resize(nodes_.size());
   for (; node < nodes_.size(); ++node) {
-    const LaneNode& at = nodes_[node];
+    LaneNode& at = nodes_[node];
     sum_weights(at);
     bool steady = whole_place_[at.atom] >= 0;
     for (std::size_t e = at.first; e < at.end(); ++e)
@@ -115,13 +123,17 @@ void LaneNodes::measure_from(std::uint32_t node, std::uint32_t edge) {
   }
 }
 
-void LaneNodes::sum_weights(const LaneNode& node) {
+void LaneNodes::sum_weights(LaneNode& node) {
   double sum = 0.0;
   bool whole = true;
   for (std::uint32_t e = node.first; e < node.end(); ++e) {
     sum += weight(e);
-    whole &= weight(e) == 1.0 && weight_slope(e) == 0.0;
+    whole &= (weight(e) == 1.0 || weight(e) == 0.0) && weight_slope(e) == 0.0;
   }
+  node.bonded_carbons = node.carbons;
+  node.bonded_hydrogens = node.hydrogens;
+  for (std::uint32_t e = node.end(); e > node.first && is_beyond(e - 1); --e)
+    --(node.bonded_hydrogens > 0 ? node.bonded_hydrogens : node.bonded_carbons);
   coordination_[node.atom] = sum;
   whole_place_[node.atom] = whole ? static_cast<std::int8_t>(table_place(sum - 1.0)) : std::int8_t{-1};
 }
@@ -131,9 +143,11 @@ LaneEdges LaneNodes::edges(double* energies) {
           geometry_.data(), weights_.data(),   gradient_.data(), energies};
 }
 
-bool LaneNodes::find(std::uint32_t own) { return find(own, margins) || find(own, {}); }
+bool LaneNodes::find(std::uint32_t own, bool beyond) {
+  return (beyond && find_within(own, margins)) || find_within(own, {});
+}
 
-bool LaneNodes::find(std::uint32_t own, const std::array<double, 3>& beyond) {
+bool LaneNodes::find_within(std::uint32_t own, const std::array<double, 3>& beyond) {
   for (std::size_t pair = 0; pair < 3; ++pair)
     squared_reach_[pair] = (cutoffs_[pair] + beyond[pair]) * (cutoffs_[pair] + beyond[pair]);
   for (const LaneNode& node : nodes_) place_[node.atom] = absent;
@@ -148,8 +162,13 @@ bool LaneNodes::find(std::uint32_t own, const std::array<double, 3>& beyond) {
   return few;
 }
 
+std::size_t LaneNodes::restless(std::uint32_t own) const {
+  return static_cast<std::size_t>(std::count(is_steady_.begin(), is_steady_.begin() + own, 0));
+}
+
 void LaneNodes::remember() {
-  apart_.clear();
+  apart_.resize(near_.atoms.size() + 1);
+  std::size_t apart = 0;
   steady_edges_.clear();
   restless_.clear();
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
@@ -166,13 +185,14 @@ void LaneNodes::remember() {
     std::uint32_t e = node.first;
     for (std::uint32_t k = near_.offsets[i]; k < near_.offsets[i + 1]; ++k) {
       const std::uint32_t j = near_.atoms[k];
-      if (e < node.end() && to_[e] == j) {
-        ++e;
-      } else if (place_[j] == absent || i < j) {  // else it is in the other's row
-        apart_.push_back({i, j, element + (k >= near_hydrogens_[i] ? 1u : 0u)});
-      }
+      const bool is_edge = e < node.end() && to_[e] == j;
+      const bool is_in_other_row = place_[j] != absent && j < i;
+      apart_[apart] = {i, j, element + (k >= near_hydrogens_[i] ? 1u : 0u)};
+      apart += !is_edge && !is_in_other_row;
+      e += is_edge;
     }
   }
+  apart_.resize(apart);
   remembered_ = true;
 }
 

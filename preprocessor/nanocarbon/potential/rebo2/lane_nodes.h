@@ -15,7 +15,9 @@ namespace nanocarbon::rebo2 {
 struct LaneNode {
   std::uint32_t atom;
   std::uint32_t first;               //!< half-edge
-  std::uint32_t carbons, hydrogens;  //!< how many bonds
+  std::uint32_t carbons, hydrogens;  //!< how many half-edges
+  //! How many of these are bonds; those without weight that come last are not.
+  std::uint32_t bonded_carbons = 0, bonded_hydrogens = 0;
   double conjugation_sum = 0.0;
   double by_coordination = 0.0;
   double by_conjugation_sum = 0.0;
@@ -48,8 +50,11 @@ class LaneNodes {
   //! \brief Whether the half-edges are good still, and steady nodes' bonds whole. If so they are measured.
   bool same_as_remembered();
   //! \brief The nodes of own atoms (node i is atom i) and of those bonded to them; all are measured.
+  //! \param beyond whether to find half-edges beyond bonds, too, so that they may be remembered
   //! \return false where an atom has more than lane_most_bonds bonds
-  bool find(std::uint32_t own);
+  bool find(std::uint32_t own, bool beyond);
+  //! How many of the own atoms are restless.
+  std::size_t restless(std::uint32_t own) const;
   //! A node that is not measured yet, unless it is there. Result as of find().
   bool add(std::uint32_t atom);
   //! Nodes from this one on, whose half-edges begin with this one. Finds which of them are steady.
@@ -69,6 +74,8 @@ class LaneNodes {
   double coordination(std::uint32_t atom) const { return coordination_[atom]; }
   //! table_place() of an atom's coordination without a bond, where all of its bonds are whole; else -1.
   int whole_place(std::uint32_t atom) const { return whole_place_[atom]; }
+  //! Whether it is a half-edge beyond a bond's reach.
+  bool is_beyond(std::uint32_t edge) const { return weight(edge) == 0.0 && weight_slope(edge) == 0.0; }
   bool is_hydrogen(std::uint32_t atom) const { return elements_[atom] == Element::hydrogen; }
   bool is_steady(std::uint32_t atom) const { return is_steady_[place_[atom]]; }
   //! The half-edge of a node to an atom that it is bonded to.
@@ -86,8 +93,8 @@ class LaneNodes {
   std::size_t memory() const;
 
  private:
-  bool find(std::uint32_t own, const std::array<double, 3>& beyond);
-  void sum_weights(const LaneNode& node);
+  bool find_within(std::uint32_t own, const std::array<double, 3>& beyond);
+  void sum_weights(LaneNode& node);
 
   //! Near each other without a half-edge.
   struct Apart {
