@@ -25,7 +25,9 @@ constexpr int half_list_id = 2;
 }  // namespace
 
 PairAireboOpt::PairAireboOpt(LAMMPS* lammps, std::string style, airebo::LjForm form)
-    : PairBondOrder(lammps, style), style_(std::move(style)), form_(form) {}
+    : PairBondOrder(lammps, style), style_(std::move(style)), form_(form) {
+  margin = 0.6;  // more work at each step, but lists for twice as many
+}
 
 void PairAireboOpt::settings(int narg, char** arg) {
   const auto number = [&](int n) { return utils::numeric(FLERR, arg[n], false, lmp); };

@@ -118,13 +118,13 @@ bool PairBondOrder::elements_are_same() const {
 bool PairBondOrder::moved_far() const {
   const double* now = atom->x[0];
   const double* then = listed_positions_.data();
-  double farthest = 0.0;
+  const double most = 0.25 * listed_margin_ * listed_margin_;
+  bool near = true;
   for (std::size_t i = 0; i < listed_positions_.size(); i += 3) {
     const double x = now[i] - then[i], y = now[i + 1] - then[i + 1], z = now[i + 2] - then[i + 2];
-    const double moved = x * x + y * y + z * z;
-    farthest = moved > farthest ? moved : farthest;
+    near &= x * x + y * y + z * z <= most;
   }
-  return !(farthest <= 0.25 * listed_margin_ * listed_margin_);
+  return !near;
 }
 
 PairBondOrder::Lists PairBondOrder::update_near() {
