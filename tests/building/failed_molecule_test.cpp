@@ -6,6 +6,7 @@
 
 #include "nanocarbon/shapes/shapes.h"
 #include "nanocarbon/structures/fullerene.h"
+#include "support/facing_benzenes.h"
 
 namespace nanocarbon::building {
 namespace {
@@ -32,6 +33,15 @@ TEST(DescribeFailure, NamesAtomsThatAreTooClose) {
   for (Vec3& p : molecule.positions) p *= 0.7;
   const std::string said = describe_failure(molecule, {shapes::make_sphere(3.55, 8), 1.0, 60});
   EXPECT_THAT(said, HasSubstr("two unbonded atoms pressed to within"));
+}
+
+TEST(WhyItDoesNotHold, IsNotThatHydrogensFaceEachOtherUnlessTheyBind) {
+  const SizedSurface surface{shapes::make_sphere(3.55, 8), 1.0, 60};
+  EXPECT_THAT(describe_failure(test::hydrogen_to_hydrogen(1.0), surface),
+              HasSubstr("two unbonded atoms pressed to within 1.00 A"));
+  Molecule molecule = test::hydrogen_to_hydrogen(1.4);
+  molecule.positions.back() *= 1.2;  // a hydrogen at the far end: its bond is too long
+  EXPECT_THAT(describe_failure(molecule, surface), HasSubstr("a bond stretched to"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "nanocarbon/core/bond_cutoffs.h"
 #include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/minimisation/apart_from.h"
 
 namespace nanocarbon::building {
 namespace {
@@ -34,6 +35,9 @@ Fault worst_fault(const Molecule& molecule) {
   const auto cutoff = [&](AtomIndex a, AtomIndex b) {
     return rebo_bond_cutoffs.of(molecule.elements[a], molecule.elements[b]);
   };
+  const auto apart = [&](AtomIndex a, AtomIndex b) {
+    return minimisation::apart_from(rebo_bond_cutoffs, molecule.elements[a], molecule.elements[b]);
+  };
   for (const Bond& bond : bonds)
     look(bond.first, bond.second,
          between(bond.first, bond.second).norm() - cutoff(bond.first, bond.second).begin,
@@ -43,8 +47,7 @@ Fault worst_fault(const Molecule& molecule) {
   for (AtomIndex a = 0; a < molecule.size(); ++a)
     for (const Neighbour& n : near.of(a))
       if (a < n.atom && !std::binary_search(bonds.begin(), bonds.end(), Bond{a, n.atom}))
-        look(a, n.atom, cutoff(a, n.atom).end - between(a, n.atom).norm(),
-             "two unbonded atoms pressed to within");
+        look(a, n.atom, apart(a, n.atom) - between(a, n.atom).norm(), "two unbonded atoms pressed to within");
   return worst;
 }
 

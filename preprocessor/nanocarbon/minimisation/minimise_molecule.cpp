@@ -6,6 +6,7 @@
 
 #include "nanocarbon/core/neighbours_within.h"
 #include "nanocarbon/core/space.h"
+#include "nanocarbon/minimisation/apart_from.h"
 #include "nanocarbon/minimisation/multilevel/sheet_preconditioner.h"
 
 namespace nanocarbon::minimisation {
@@ -18,19 +19,19 @@ const Cell* cell_of(const Molecule& molecule) { return molecule.cell ? &*molecul
 bool bonds_are_those_seen(const Molecule& molecule, const BondCutoffs& cutoffs) {
   const NeighbourList near =
       neighbours_within(molecule.positions, cell_of(molecule), cutoffs.carbon_carbon.end);
-  const auto cutoff = [&](AtomIndex a, AtomIndex b) {
-    return cutoffs.of(molecule.elements[a], molecule.elements[b]);
-  };
   const Space space(molecule.cell);
-  const auto apart = [&](AtomIndex a, AtomIndex b) {
+  const auto distance = [&](AtomIndex a, AtomIndex b) {
     return space.displacement(molecule.positions[a], molecule.positions[b]).norm();
   };
+  const auto& elements = molecule.elements;
   std::size_t seen = 0;
   for (AtomIndex a = 0; a < molecule.size(); ++a)
-    for (const Neighbour& n : near.of(a)) seen += a < n.atom && apart(a, n.atom) < cutoff(a, n.atom).end;
+    for (const Neighbour& n : near.of(a))
+      seen += a < n.atom && distance(a, n.atom) < apart_from(cutoffs, elements[a], elements[n.atom]);
   return seen == molecule.bonds.size() &&
          std::all_of(molecule.bonds.begin(), molecule.bonds.end(), [&](const Bond& bond) {
-           return apart(bond.first, bond.second) <= cutoff(bond.first, bond.second).begin;
+           return distance(bond.first, bond.second) <=
+                  cutoffs.of(elements[bond.first], elements[bond.second]).begin;
          });
 }
 
