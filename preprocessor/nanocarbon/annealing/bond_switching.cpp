@@ -42,19 +42,13 @@ bool is_regular(const TrivalentNetwork& network, RingIndex chain) {
   return network.rings[place.before].size == 6 - size && network.rings[place.after].size == 6 - size;
 }
 
-// Rings that are not hexagons and irregular chains of the boundary, with constant-time updates and an order that
-// depends only on the history.
-class DefectList {
+// Indices with constant-time updates and an order that depends only on the history.
+class IndexList {
  public:
-  explicit DefectList(const TrivalentNetwork& network) {
-    for (RingIndex r = 0; r < network.rings.size(); ++r) update(network, r);
-  }
-  void update(const TrivalentNetwork& network, RingIndex ring) {
-    if (place_.size() <= ring) place_.resize(network.rings.size(), none);
-    const TrivalentRing& r = network.rings[ring];
-    const bool defect = r.size != 0 && (r.boundary ? !is_regular(network, ring) : r.size != 6);
-    if (defect == (place_[ring] != none)) return;
-    if (defect) {
+  void update(RingIndex ring, bool wanted) {
+    if (place_.size() <= ring) place_.resize(ring + std::size_t{1}, none);
+    if (wanted == (place_[ring] != none)) return;
+    if (wanted) {
       place_[ring] = list_.size();
       list_.push_back(ring);
     } else {
@@ -72,6 +66,37 @@ class DefectList {
   std::vector<std::size_t> place_;
 };
 
+// Rings that are not hexagons, and irregular chains of the boundary.
+class DefectList {
+ public:
+  explicit DefectList(const TrivalentNetwork& network) {
+    for (RingIndex r = 0; r < network.rings.size(); ++r) update(network, r);
+  }
+  void update(const TrivalentNetwork& network, RingIndex ring) {
+    const TrivalentRing& r = network.rings[ring];
+    rings_.update(ring, r.size != 0 && !r.boundary && r.size != 6);
+    chains_.update(ring, r.size != 0 && r.boundary && !is_regular(network, ring));
+  }
+  const std::vector<RingIndex>& rings() const { return rings_.list(); }
+  const std::vector<RingIndex>& chains() const { return chains_.list(); }
+  bool empty() const { return rings().empty() && chains().empty(); }
+  // In rings: so many trials are worth making.
+  double weight() const {
+    return static_cast<double>(rings().size()) + chain_weight * static_cast<double>(chains().size());
+  }
+  // Which of the two a trial is at. Draws nothing where there is no choice.
+  const std::vector<RingIndex>& drawn(RandomStream& random) const {
+    if (chains().empty()) return rings();
+    if (rings().empty()) return chains();
+    return random.uniform() * weight() < static_cast<double>(rings().size()) ? rings() : chains();
+  }
+
+ private:
+  // A chain costs less than a ring and is put right in fewer trials.
+  static constexpr double chain_weight = 0.1;
+  IndexList rings_, chains_;
+};
+
 // What one place of a batch has come to.
 struct Attempt {
   std::size_t trials = 0;  // drawn, those known to be refused included
@@ -80,6 +105,9 @@ struct Attempt {
   double allowance = 0;
   Trial trial;
 };
+
+// Chains of the boundary differ by little in energy: as hot as rings they would all be irregular. Of k T.
+constexpr double boundary_temperature = 0.3;
 
 constexpr double least_cosine = 0.2;  // of the angle between an atom's normal and the surface's
 
@@ -108,7 +136,7 @@ class Annealer {
     double best_score = score(result_.energy_before * static_cast<double>(atoms_));
     SwitchingState best = state_;
     result_.energy = result_.energy_before;
-    for (int block = 0; block < options_.blocks && !defects_.list().empty(); ++block) {
+    for (int block = 0; block < options_.blocks && !defects_.empty(); ++block) {
       const double progress = options_.blocks > 1 ? static_cast<double>(block) / (options_.blocks - 1) : 1;
       terms_.temperature = options_.hot * std::pow(options_.cold / options_.hot, progress);
       run_block(block);
@@ -124,7 +152,7 @@ class Annealer {
       }
     }
     state_ = std::move(best);
-    result_.defects = DefectList(state_.network).list().size();
+    result_.defects = DefectList(state_.network).rings().size();
     return result_;
   }
 
@@ -141,12 +169,11 @@ class Annealer {
   }
 
   void run_block(int block) {
-    const auto trials =
-        static_cast<std::size_t>(options_.trials_per_defect * static_cast<double>(defects_.list().size()));
+    const auto trials = static_cast<std::size_t>(std::ceil(options_.trials_per_defect * defects_.weight()));
     std::size_t since_relaxation = 0;
     const std::size_t relax_every = std::max<std::size_t>(40, atoms_ / 50);
     const std::size_t enough = result_.trials + trials;
-    while (result_.trials < enough && !defects_.list().empty()) {
+    while (result_.trials < enough && !defects_.empty()) {
       run_batch();
       for (const Attempt& attempt : batch_) {
         result_.trials += attempt.trials;
@@ -188,11 +215,13 @@ class Annealer {
     Attempt attempt;
     constexpr int draws = 60;
     for (int draw = 0; draw < draws && !attempt.made; ++draw) {
-      auto edit =
-          draw_edit(state_.network, defects_.list(), options_.climb_share, random, options_.largest_ring);
+      const std::vector<RingIndex>& sites = defects_.drawn(random);
+      auto edit = draw_edit(state_.network, sites, options_.climb_share, random, options_.largest_ring);
       if (!edit) continue;
       ++attempt.trials;
-      attempt.allowance = draw_allowance(*edit, terms_, random);
+      TrialTerms terms = terms_;
+      if (&sites == &defects_.chains()) terms.temperature *= boundary_temperature;
+      attempt.allowance = draw_allowance(*edit, terms, random);
       attempt.key = switch_key(*edit, identity_);
       if (refused_.contains(attempt.key, attempt.allowance, last_change(*edit))) continue;
       attempt.made = true;

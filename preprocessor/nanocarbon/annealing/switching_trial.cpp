@@ -109,20 +109,22 @@ double draw_allowance(const NetworkEdit& edit, const TrialTerms& terms, RandomSt
 Trial try_edit(const SwitchingState& state, NetworkEdit edit, double allowance, double least_cosine,
                TrialWorkspace& workspace) {
   Trial trial;
-  const bool screened = edit.kind == NetworkEdit::Kind::flip;
+  const bool screened = edit.kind != NetworkEdit::Kind::collapse && edit.kind != NetworkEdit::Kind::split;
   if (screened) {
     SwitchingPatch& patch = workspace.near;
     patch.gather(state, edit, screen_radius);
     const double before = patch.energy();
+    const double allowed =
+        allowance + edit.atoms_added() * before / static_cast<double>(patch.energy_atoms());
     patch.apply(edit);
     patch.relax_springs(6);
     // What is still far above after a few steps never comes down.
     const auto far_above = [&](int iteration, double energy, std::span<const Vec3>) {
-      return energy > before + allowance + (iteration < 3 ? 8 : iteration < 5 ? 4.5 : 2.8);
+      return energy > before + allowed + (iteration < 3 ? 8 : iteration < 5 ? 4.5 : 2.8);
     };
     const minimisation::LbfgsResult relaxed =
         patch.relax({.max_iterations = 8, .force_tolerance = 0.02, .max_step = 0.2, .stop = far_above});
-    if (!(relaxed.energy - before < allowance + screen_margin)) return trial;
+    if (!(relaxed.energy - before < allowed + screen_margin)) return trial;
   }
   SwitchingPatch& patch = workspace.far;
   patch.gather(state, edit, radius);
