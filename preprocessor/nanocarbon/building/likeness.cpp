@@ -20,7 +20,7 @@ namespace {
 constexpr double bending_rigidity = 1.4;        // eV, of graphene
 constexpr double energy_of_disclination = 5.0;  // eV for each pi/3 of Gaussian curvature
 constexpr double energy_of_boundary = 1.5;      // eV/Angstrom, bare
-constexpr double energy_with_hydrogen = 0.15;   // eV/Angstrom
+constexpr double energy_with_hydrogen = 0.05;   // eV/Angstrom: nothing where straight, but corners
 constexpr double ring_spacing = 2.46;           // Angstrom
 
 // How the normal turns on a triangle with the normals of its corners, as a map of its plane.

@@ -42,8 +42,8 @@ struct Likeness {
 //!
 //! Bending: 1.4 eV / 2 times the squared sum of the principal curvatures, integrated over the area. Disclinations: 5 eV
 //! for each pi/3 of Gaussian curvature of either sign, which needs a pentagon or heptagon and strains the sheet around
-//! it. Boundary: for each Angstrom 1.5 eV where bonds dangle and 0.15 with hydrogen. The curvatures are those of normals smoothed over a ring,
-//! since a crease is rounded to about that width.
+//! it. Boundary: for each Angstrom 1.5 eV where bonds dangle and 0.05 with hydrogen, for corners. The curvatures are
+//! those of normals smoothed over a ring, since a crease is rounded to about that width.
 double expected_energy(const TriangleMesh& surface, std::size_t atoms,
                        Boundary boundary = Boundary::hydrogen);
 
