@@ -108,9 +108,9 @@ void add_recipe_options(CLI::App& sub, BuildCommand& c) {
       "Potential of the last minimisation and the checks: rebo2 (default), airebo or airebo-m");
   add_choice(
       *group, "--boundary", c.build.boundary,
-      {{"bare", building::Boundary::bare}, {"hydrogen", building::Boundary::hydrogen}},
-      "Carbon at boundaries of the mesh, which has two neighbours: with a dangling bond (bare, default), or "
-      "with a hydrogen atom each (hydrogen)");
+      {{"hydrogen", building::Boundary::hydrogen}, {"bare", building::Boundary::bare}},
+      "Carbon at boundaries of the mesh, which has two neighbours: with a hydrogen atom each (hydrogen, "
+      "default), or with a dangling bond (bare)");
   add_choice(*group, "--quality", c.build.quality,
              {{"draft", Quality::draft}, {"good", Quality::good}, {"best", Quality::best}},
              "Effort spent on a low energy: draft, good (default) or best");

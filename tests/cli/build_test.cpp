@@ -98,7 +98,7 @@ TEST_F(Build, ReportsTheTopologyOfOpenShapes) {
     EXPECT_EQ(molecule["euler_characteristic"], 1);
     EXPECT_EQ(molecule["genus"], 0);
     const auto mesh = nlohmann::json::parse(run("inspect --json " + path("out.ply")).out);
-    EXPECT_EQ(mesh["faces"], molecule["atoms"]);
+    EXPECT_EQ(mesh["faces"], molecule["carbon"]);
   }
 }
 

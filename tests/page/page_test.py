@@ -139,7 +139,8 @@ def open_surfaces(pages, mesh, folder):
     pages.show("bowl", "build", mesh, "--atoms", "300", "--quality", "draft", "-o", folder / "bowl.data")
     assert "boundary loops 1" in pages.text("#facts"), pages.text("#facts")
     pages.colour_by("bonds")
-    assert "2 bonds (" in pages.text("#legend"), pages.text("#legend")  # of the rim
+    assert "1 bonds (" in pages.text("#legend"), pages.text("#legend")  # of the hydrogens at the boundary
+    assert "2 bonds (" not in pages.text("#legend"), pages.text("#legend")
     pages.sound("bowl")
     subprocess.run([pages.program, "make", "tube", "6", "6", "--length", "15", "-q", "-o", folder / "tube.data"], check=True)
     pages.show("tube", "analyse", folder / "tube.data")

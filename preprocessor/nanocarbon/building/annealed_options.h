@@ -28,7 +28,7 @@ struct AnnealOptions {
   bool keep_size = false;
   //! Strains of a periodic cell that the final minimisation may change.
   minimisation::CellRelaxation relax_cell = minimisation::CellRelaxation::none;
-  bool hydrogen = false;  //!< at the boundary
+  bool hydrogen = true;   //!< at the boundary
   long largest_ring = 7;  //!< atoms in a ring that annealing makes
   //! Called now and then with what is being done and how much of it, 0 to 1.
   std::function<void(std::string_view stage, double share)> progress = {};

@@ -43,7 +43,7 @@ struct BuildOptions {
   Quality quality = Quality::good;
   std::optional<double> tether;   //!< to the surface while annealing, eV/Angstrom^2; nothing: tether_of()
   double force_tolerance = 1e-3;  //!< largest force left, eV/Angstrom
-  Boundary boundary = Boundary::bare;  //!< of the annealed recipe
+  Boundary boundary = Boundary::hydrogen;  //!< of the annealed recipe
   //! Prove that the molecule is at a minimum (certificate.h); only with potentials of bonds alone.
   bool certify = false;
   //! Strains of a periodic cell that the final minimisation may change; nothing: relaxed_strains()
@@ -99,7 +99,7 @@ struct BuildResult {
   BuildSeconds seconds;
 };
 
-//! \brief From a surface to a molecule of carbon atoms, by the annealed recipe with hydrogen at boundaries if that is wanted.
+//! \brief From a surface to a molecule of carbon atoms, with hydrogen at boundaries by the annealed recipe.
 //! \param surface a sound 2-manifold, oriented, mesh units (see load_surface())
 //! \throw UserError (size, unsuitable) as sized_surface(); (size) if features are too small, with a size that works;
 //! (failed) if the molecule's topology is not the surface's, the potential would bind other atoms than the molecule

@@ -47,7 +47,7 @@ class Build:
 def build(mesh: Mesh | str | os.PathLike[str], atoms: int | None = None, *, length: float | None = None,
           scale: float | None = None, quality: Literal["draft", "good", "best"] = "good",
           potential: Literal["rebo2", "airebo", "airebo-m"] = "rebo2", tether: float | None = None,
-          boundary: Literal["hydrogen", "bare"] = "bare", force: bool = False, threads: int | None = None,
+          boundary: Literal["hydrogen", "bare"] = "hydrogen", force: bool = False, threads: int | None = None,
           seed: int = 1, progress: Callable[[str, float], None] | None = None) -> Build:
     """Makes a carbon molecule from a mesh, as `nanocarbon build` does.
 
