@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "nanocarbon/building/build_molecule.h"
+#include "nanocarbon/mesh/distance.h"
+#include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/molecule/hydrogens.h"
 #include "nanocarbon/shapes/shapes.h"
 #include "nanocarbon/topology/bond_graph.h"
@@ -80,6 +82,14 @@ TEST(OpenSurfaces, HydrogenTakesMostOfTheEnergyOfABoundary) {
                     bare = built(surface, 400, Boundary::bare);
   EXPECT_LT(with.boundary->energy / with.boundary->units.length, 0.4);
   EXPECT_GT(bare.boundary->energy / bare.boundary->units.length, 0.8);
+}
+
+// Disclinations may leave through a boundary: a sheet without any has the area, but not the shape.
+TEST(OpenSurfaces, ABowlDoesNotOpenOut) {
+  const BuildResult result =
+      built(shapes::make_hemisphere(1.0, 0.15), 400, Boundary::hydrogen, Quality::good);
+  const mesh::NearestPoint molecule(result.triangulation);
+  EXPECT_LT(mesh::distances_to_surface(result.surface.mesh.points, molecule).mean, 1.0);
 }
 
 TEST(OpenSurfaces, AClosedSurfaceHasNoHydrogen) {

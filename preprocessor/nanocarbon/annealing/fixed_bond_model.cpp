@@ -21,12 +21,18 @@ multilevel::Holds holds_of(std::span<const TangentPlane> planes, double tether) 
   return holds;
 }
 
-// Where the surface's size may follow the molecule, so may how far the boundary reaches.
+// How much farther or less far the boundary may reach in the mean where the surface's size follows the molecule, Angstrom.
+// Without a limit a bowl opens out to a shallow one, of a larger sphere of which it lacks the rim.
+constexpr double free_reach = 0.5;
+
 void hold_boundary(FixedBondModel& model, const TetherSurface& surface, std::span<const Vec3> positions) {
   const FixedBondGraph& graph = model.rebo2.graph();
   if (surface.boundary().empty() || !graph.hydrogen) return;
   model.edges = boundary_planes(surface.boundary(), graph, positions);
-  model.reach = model.free_mean ? mean_reach(model.edges, graph, positions) : -open_atom_depth;
+  model.reach = -open_atom_depth;
+  if (model.free_mean)
+    model.reach = std::clamp(mean_reach(model.edges, graph, positions), model.reach - free_reach,
+                             model.reach + free_reach);
 }
 
 }  // namespace
