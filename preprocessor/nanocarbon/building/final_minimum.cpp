@@ -9,6 +9,7 @@
 #include "nanocarbon/annealing/geometry_check.h"
 #include "nanocarbon/annealing/surface_fit.h"
 #include "nanocarbon/building/annealing_schedules.h"
+#include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/molecule/hydrogens.h"
 
@@ -27,6 +28,13 @@ struct Descent {
   minimisation::CellMinimum end;
 };
 
+// Fixed bonds do not see that hydrogens meet, as at both sides of a bay. AIREBO binds those that begin within 1.28
+// Angstrom of each other; REBO2 parts them from 1.1 on.
+void part_hydrogens(Molecule& molecule) {
+  minimisation::minimise_molecule(molecule, *make_potential(PotentialChoice::rebo2),
+                                  {.force_tolerance = 0.1, .max_iterations = 200});
+}
+
 // Without the tether, first on fixed bonds: the way to the minimum may stretch bonds that the end does not.
 Descent descend(const annealing::AnnealingLevel& level, double left, potential::Potential& potential,
                 const AnnealOptions& options) {
@@ -36,7 +44,10 @@ Descent descend(const annealing::AnnealingLevel& level, double left, potential::
   annealing::minimise_fixed_bonds(
       model, nullptr, positions, {.max_iterations = 2000, .force_tolerance = left * options.force_tolerance});
   Molecule molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
-  if (options.hydrogen) molecule = molecule::saturated_with_hydrogen(molecule);
+  if (options.hydrogen) {
+    molecule = molecule::saturated_with_hydrogen(molecule);
+    if (potential.unbonded_reach() > 0) part_hydrogens(molecule);
+  }
   const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance};
   minimisation::CellMinimum end;
   if (molecule.cell)
