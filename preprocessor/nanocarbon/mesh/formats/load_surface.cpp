@@ -42,9 +42,8 @@ void require_usable(const std::filesystem::path& path, const MeshDiagnosis& diag
                     fmt::format("{}: the mesh cannot be used:{}", path.string(), reasons));
 }
 
-LoadedSurface examine(const std::filesystem::path& path, const CellRequest& request, double close_holes,
-                      std::vector<std::string>& mended) {
-  PolygonSoup soup = read_mesh(path);
+LoadedSurface examine(PolygonSoup soup, const std::filesystem::path& path, const CellRequest& request,
+                      double close_holes, std::vector<std::string>& mended) {
   LoadedSurface surface;
   surface.vertices_read = soup.points.size();
   surface.faces_read = soup.faces();
@@ -63,13 +62,22 @@ LoadedSurface examine(const std::filesystem::path& path, const CellRequest& requ
 }  // namespace
 
 LoadedSurface examine_surface(const std::filesystem::path& path, const CellRequest& cell) {
+  return examine_surface(read_mesh(path), path, cell);
+}
+
+LoadedSurface examine_surface(PolygonSoup soup, const std::filesystem::path& path, const CellRequest& cell,
+                              double close_holes) {
   std::vector<std::string> mended;
-  return examine(path, cell, 0.0, mended);
+  return examine(std::move(soup), path, cell, close_holes, mended);
 }
 
 LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions& options) {
+  return load_surface(read_mesh(path), path, options);
+}
+
+LoadedSurface load_surface(PolygonSoup soup, const std::filesystem::path& path, const LoadOptions& options) {
   std::vector<std::string> mended;
-  LoadedSurface surface = examine(path, options.cell, options.close_holes, mended);
+  LoadedSurface surface = examine(std::move(soup), path, options.cell, options.close_holes, mended);
   require_usable(path, surface.diagnosis);
   if (!options.repair && !mended.empty())
     throw UserError(Failure::unsuitable,

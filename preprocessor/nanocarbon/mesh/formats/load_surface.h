@@ -8,6 +8,7 @@
 
 #include "nanocarbon/mesh/diagnosis.h"
 #include "nanocarbon/mesh/formats/cell_request.h"
+#include "nanocarbon/mesh/polygon_soup.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
 namespace nanocarbon::mesh {
@@ -36,9 +37,14 @@ struct LoadOptions {
 //! then not fit for use. It is not sewn in its cell.
 //! \throw UserError (unreadable, malformed) as read_mesh(), (usage) as requested_cell()
 LoadedSurface examine_surface(const std::filesystem::path& path, const CellRequest& cell = {});
+//! The same for what was read from a file, perhaps with something done to it; the soup's notes are told first.
+LoadedSurface examine_surface(PolygonSoup soup, const std::filesystem::path& path,
+                              const CellRequest& cell = {}, double close_holes = 0.0);
 
 //! \brief The same, for use: sewn in its cell, if it has one.
 //! \throw UserError also (unsuitable) with every reason against it, or as in_cell()
 LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions& options = {});
+LoadedSurface load_surface(PolygonSoup soup, const std::filesystem::path& path,
+                           const LoadOptions& options = {});
 
 }  // namespace nanocarbon::mesh

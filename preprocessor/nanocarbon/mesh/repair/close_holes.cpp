@@ -104,4 +104,11 @@ std::size_t close_holes(TriangleMesh& mesh, double radius) {
   return closed;
 }
 
+std::vector<double> boundary_radii(const TriangleMesh& mesh) {
+  std::vector<double> radii;
+  for (const std::vector<VertexIndex>& loop : loops_of(soup_of(mesh)))
+    radii.push_back(radius_of(mesh.points, loop));
+  return radii;
+}
+
 }  // namespace nanocarbon::mesh

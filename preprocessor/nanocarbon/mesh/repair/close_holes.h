@@ -16,4 +16,8 @@ namespace nanocarbon::mesh {
 //! \pre manifold and consistently wound
 std::size_t close_holes(TriangleMesh& mesh, double radius);
 
+//! The radii of all boundary loops of a mesh in free space, in that sense.
+//! \pre manifold and consistently wound
+std::vector<double> boundary_radii(const TriangleMesh& mesh);
+
 }  // namespace nanocarbon::mesh
