@@ -7,6 +7,7 @@
 A unit is a header and its source. Prints every fault and ends with 1 where there is one:
   - a loop of includes between units,
   - a room that includes what it does not link (its CMakeLists.txt),
+  - a room, or a target of the plugin or of Python, that links one that is for the program only,
   - a type that is defined twice, or a namespace that is not the room's,
   - a class derived from Potential that is named where a Potential& should be taken,
   - a comment that refers to a header that does not exist,
@@ -120,6 +121,17 @@ def links(library):
     return faults
 
 
+def program_only(library, repository):
+    """Rooms under another licence go into the program, and into nothing that others link."""
+    files = [*library.root.rglob("CMakeLists.txt"), *(repository / "lammps-plugin").rglob("CMakeLists.txt"),
+             *(repository / "preprocessor" / "python").rglob("CMakeLists.txt")]
+    texts = {file: file.read_text() for file in files}
+    rooms = [found for text in texts.values() for found in re.findall(r"nanocarbon_room\(\s*(\w+)\s+PROGRAM_ONLY", text)]
+    faults = [] if rooms else ["no room is for the program only: has the word PROGRAM_ONLY changed?"]
+    return faults + [f"{file.relative_to(repository)} links {room}, which is for the program only"
+                     for file, text in texts.items() for room in rooms if f"nanocarbon::{room}" in text]
+
+
 def types_and_namespaces(library):
     defined, faults = collections.defaultdict(list), []
     for file, text in library.text.items():
@@ -202,7 +214,7 @@ def public_headers(library, repository):
 def main():
     repository = pathlib.Path(sys.argv[1])
     library = Library(repository)
-    faults = loops(library) + links(library) + types_and_namespaces(library) + potentials(library)
+    faults = loops(library) + links(library) + program_only(library, repository) + types_and_namespaces(library) + potentials(library)
     faults += headers_in_comments(repository) + sizes(library) + public_headers(library, repository)
     for fault in faults:
         print(fault)

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Whether the program has --wrap and --unite. They need CGAL 5.5 or newer, whose packages for that are under
+# GPL-3.0-or-later; so is then the program as a whole. Nothing else links it: neither the plugin nor the installed library.
+find_package(CGAL QUIET)  # no version: CGAL 6 says that it does not do for 5.5
+if(CGAL_FOUND AND CGAL_VERSION VERSION_LESS 5.5)
+  set(CGAL_FOUND FALSE)
+endif()
+set(has_cgal OFF)
+if(CGAL_FOUND)
+  set(has_cgal ON)
+endif()
+option(NANOCARBON_CGAL "Build --wrap and --unite into the program, by CGAL (GPL-3.0-or-later)" ${has_cgal})
+if(NANOCARBON_CGAL AND NOT CGAL_FOUND)
+  message(FATAL_ERROR "NANOCARBON_CGAL needs CGAL 5.5 or newer (Debian's libcgal-dev)")
+endif()
+if(NOT NANOCARBON_CGAL)
+  message(STATUS "The program is built without --wrap and --unite: they need CGAL 5.5 or newer (libcgal-dev)")
+endif()

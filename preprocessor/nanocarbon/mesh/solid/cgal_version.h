@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+namespace nanocarbon::mesh {
+
+//! The version of CGAL that wrap() and unite() use, such as "5.5.1"; empty where they were built without it and
+//! throw.
+const char* cgal_version();
+
+}  // namespace nanocarbon::mesh
