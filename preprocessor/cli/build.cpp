@@ -150,9 +150,8 @@ void run(BuildCommand& command) {
   if (command.length) options.size = building::LongestSide{*command.length};
   if (command.scale) options.size = building::UnitScale{*command.scale};
 
-  mesh::LoadedSurface surface = mesh::load_surface(
-      command.mesh,
-      {.repair = !command.no_repair, .close_holes = command.close_holes, .cell = cell_request(command.cell)});
+  mesh::LoadedSurface surface =
+      load_surface(command.mesh, command.surface, !command.no_repair, cell_request(command.cell));
   const auto tell = [&](const char* kind, const std::vector<std::string>& facts) {
     if (command.common.quiet) return;
     for (const std::string& fact : facts)

@@ -60,13 +60,12 @@ void add_size_options(CLI::App& sub, BuildCommand& c) {
 
 void add_mesh_options(CLI::App& sub, BuildCommand& c) {
   auto* group = sub.add_option_group("Mesh", "Changes to the mesh before building");
-  group
-      ->add_option("--close-holes", c.close_holes,
-                   "Close boundary loops with a radius below this, mesh units")
-      ->check(above_zero());
+  add_surface_options(*group, c.surface);
   group->add_flag("--drop-specks", c.build.drop_specks,
                   "Leave out pieces too small for a cage of carbon, such as specks in segmented scans");
-  group->add_flag("--no-repair", c.no_repair, "Refuse a mesh that needs repairs, and say which they are");
+  group->add_flag("--no-repair", c.no_repair, "Refuse a mesh that needs repairs, and say which they are")
+      ->excludes(group->get_option("--wrap"))
+      ->excludes(group->get_option("--unite"));
 }
 
 void add_output_options(CLI::App& sub, BuildCommand& c) {

@@ -11,6 +11,7 @@
 #include "common_options.h"
 #include "nanocarbon/building/build_molecule.h"
 #include "nanocarbon/molecule/formats/atom_style.h"
+#include "surface_input.h"
 
 namespace nanocarbon::cli {
 
@@ -27,7 +28,7 @@ struct BuildCommand {
   molecule::AtomStyle atom_style = molecule::AtomStyle::molecular;
   double margin = 10.0;
   bool no_repair = false;
-  double close_holes = 0.0;  //!< mesh units
+  SurfaceOptions surface;
   building::BuildOptions build;
   CellOptions cell;
   CommonOptions common;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -16,9 +17,13 @@
 #include "nanocarbon/mesh/diagnose.h"
 #include "nanocarbon/mesh/diagnosis.h"
 #include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
+#include "nanocarbon/mesh/repair/close_holes.h"
 #include "nanocarbon/mesh/repair/drop_specks.h"
+#include "nanocarbon/mesh/solid/advice.h"
+#include "surface_input.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -27,7 +32,9 @@ using Json = nlohmann::ordered_json;
 
 struct InspectCommand {
   std::string mesh;
+  SurfaceOptions surface;
   CellOptions cell;
+  std::optional<std::filesystem::path> write;
   bool json = false;
 };
 
@@ -38,6 +45,7 @@ struct Inspection {
   std::optional<TriangleMesh> in_cell = {};  // the mesh there, if it can be used
   std::vector<std::string> notes = {};
   std::string why_not = {};
+  std::optional<mesh::MeshAdvice> advice = {};  // where it cannot be used
 
   bool usable() const { return surface.diagnosis.usable() && (!cell || in_cell); }
 };
@@ -154,6 +162,8 @@ Json to_json(const std::string& file, const Inspection& inspection) {
   json["repairs"] = surface.repairs;
   json["warnings"] = findings_json(d, mesh::Severity::warning);
   json["reasons"] = findings_json(d, mesh::Severity::reason);
+  if (inspection.advice)
+    json["advice"] = {{"options", inspection.advice->options}, {"outcome", inspection.advice->outcome}};
   return json;
 }
 
@@ -191,16 +201,40 @@ void print_text(const std::string& file, const Inspection& inspection) {
     if (mesh::severity(finding.problem) == mesh::Severity::reason) line("CANNOT BE USED", finding.text);
   }
   if (inspection.cell) print_cell(inspection);
+  if (inspection.advice)
+    line("can be used with", fmt::format("{}: {}", inspection.advice->options, inspection.advice->outcome));
   if (inspection.usable()) line("usable", "yes: nanocarbon build accepts it");
+}
+
+Inspection examine(const InspectCommand& command, const mesh::CellRequest& request) {
+  const SurfaceInput input = read_surface(command.mesh, command.surface, request);
+  Inspection inspection{
+      mesh::examine_surface(input.soup, command.mesh, request, command.surface.close_holes)};
+  inspection.surface.vertices_read = input.vertices_read;
+  inspection.surface.faces_read = input.faces_read;
+  inspection.cell = inspection.surface.cell;
+  if (!inspection.cell && !inspection.usable()) inspection.advice = mesh::advise(input.soup);
+  return inspection;
+}
+
+void write(const std::filesystem::path& path, const Inspection& inspection) {
+  if (inspection.in_cell && mesh::format_to_write(path) == mesh::MeshFormat::stl)
+    throw UserError(Failure::usage,
+                    fmt::format("{}: an STL file cannot hold a periodic cell; name an OFF, OBJ or PLY file",
+                                path.string()));
+  mesh::write_mesh(path, inspection.in_cell ? *inspection.in_cell : inspection.surface.mesh);
 }
 
 void run(const InspectCommand& command) {
   const mesh::CellRequest request = cell_request(command.cell);
-  Inspection inspection{mesh::examine_surface(command.mesh, request)};
-  inspection.cell = inspection.surface.cell;
+  if (command.write) mesh::format_to_write(*command.write);
+  Inspection inspection = examine(command, request);
   if (inspection.cell && inspection.surface.diagnosis.usable()) try {
       inspection.in_cell =
           mesh::in_cell(inspection.surface.mesh, *inspection.cell, request, inspection.notes);
+      const double radius = command.surface.close_holes;
+      if (const std::size_t closed = radius > 0.0 ? mesh::close_holes(*inspection.in_cell, radius) : 0)
+        inspection.notes.push_back(fmt::format("closed boundary loops as asked: {}", closed));
       inspection.cell = *inspection.in_cell->space.cell();
       mesh::find_intersections_in_cell(*inspection.in_cell, inspection.surface.diagnosis);
     } catch (const UserError& error) {
@@ -210,6 +244,7 @@ void run(const InspectCommand& command) {
     fmt::print("{}\n", to_json(command.mesh, inspection).dump(2));
   else
     print_text(command.mesh, inspection);
+  if (command.write && inspection.usable()) write(*command.write, inspection);
   if (!inspection.usable()) throw CLI::RuntimeError(static_cast<int>(Failure::unsuitable));
 }
 
@@ -221,11 +256,19 @@ void add_inspect(CLI::App& app) {
   const auto command = std::make_shared<InspectCommand>();
   sub.add_option("MESH", command->mesh, "Mesh file: OFF, OBJ, PLY or STL, text or binary")->required();
   sub.add_flag("--json", command->json, "Print JSON");
+  sub.add_option("--write", command->write,
+                 "Also write the mesh as build would use it, as OFF, OBJ, PLY or STL; nothing where it "
+                 "cannot be used")
+      ->type_name("FILE");
+  add_surface_options(
+      *sub.add_option_group("Mesh", "Changes to the mesh before it is looked at, as in build"),
+      command->surface);
   add_cell_options(sub, command->cell);
   sub.footer(R"(The exit code is 0 when nanocarbon build would take the mesh, 5 when it would not.
 Examples:
   nanocarbon inspect scan.ply
   nanocarbon inspect part.stl --json
+  nanocarbon inspect soup.stl --wrap 0.5 --write closed.ply
   nanocarbon inspect gyroid.stl --cell 10,10,10)");
   sub.callback([command] { run(*command); });
 }

@@ -17,6 +17,7 @@
 #include "make.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/version.h"
+#include "nanocarbon/mesh/solid/cgal_version.h"
 
 namespace {
 
@@ -31,9 +32,17 @@ void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
       fmt::format("there is no subcommand '{}'; the subcommands are {}", argv[1], fmt::join(names, ", ")));
 }
 
+std::string version_text() {
+  const std::string cgal = nanocarbon::mesh::cgal_version();
+  return fmt::format("nanocarbon {}\n{}", nanocarbon::version,
+                     cgal.empty()
+                         ? std::string("without CGAL: no --wrap and --unite; licence GPL-2.0-or-later")
+                         : fmt::format("with CGAL {}: licence GPL-3.0-or-later", cgal));
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Carbon molecules from triangle meshes, ready for LAMMPS.", "nanocarbon");
-  app.set_version_flag("--version", std::string("nanocarbon ") + nanocarbon::version);
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer("Each subcommand has its own --help. Exit codes: README.md.");
   // The work of a subcommand is done by its callback, which parse() runs.

@@ -130,10 +130,12 @@ def advised(args, code, reason, atoms, options):
     larger = re.search(r"--atoms (\d+)", reason)
     if code in TOO_FEW_ATOMS and larger and int(larger.group(1)) > atoms:
         return int(larger.group(1)), options
-    named = re.search(r"--(drop-specks|unite)\b|--(wrap|close-holes) ([0-9.eE+-]+)", reason)
+    number = r"[0-9.]+(?:e[+-]?[0-9]+)?"
+    option = rf"--(?:drop-specks|unite)\b|--(?:wrap|close-holes) {number}(?:,{number})?"
+    named = re.search(rf"(?:{option})(?: (?:{option}))*", reason)  # "It can be used with --close-holes 0.1 --unite"
     if not args.follow_advice or not named:
         return None
-    new = [f"--{named.group(1)}"] if named.group(1) else [f"--{named.group(2)}", named.group(3).rstrip(".")]
+    new = named.group(0).rstrip(".,").split()
     return None if new[0] in options else (atoms, options + new)
 
 

@@ -8,7 +8,10 @@ import re
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
+
+import measure
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROGRAM, BUILD = (pathlib.Path(word) for word in sys.argv[1:3])
@@ -93,6 +96,24 @@ class Suite(unittest.TestCase):
     def test_what_is_done_is_not_done_again(self):
         self.assertFalse(self.made_again)
         self.assertEqual(self.first.stdout, self.second.stdout)
+
+
+class Advice(unittest.TestCase):
+    """What is made of a refusal's last line."""
+
+    def follow(self, reason, code=5, options=()):
+        return measure.advised(types.SimpleNamespace(follow_advice=True), code, reason, 400, list(options))
+
+    def test_the_options_it_names_are_taken_with_their_values(self):
+        for options in (["--unite"], ["--wrap", "0.5"], ["--wrap", "1e+02,25"], ["--close-holes", "0.011", "--unite"]):
+            reason = f"the mesh cannot be used: 2 edges\nIt can be used with {' '.join(options)} (wrapped, size 0.5)"
+            self.assertEqual(self.follow(reason), (400, options))
+
+    def test_an_option_is_not_given_twice(self):
+        self.assertIsNone(self.follow("It can be used with --unite (united)", options=["--unite"]))
+
+    def test_a_size_that_is_only_a_word_is_none(self):
+        self.assertIsNone(self.follow("--wrap SIZE puts a closed surface around anything"))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "surface_input.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/core/text_numbers.h"
+#include "nanocarbon/mesh/formats/read_mesh.h"
+#include "nanocarbon/mesh/repair/repair_surface.h"
+#include "nanocarbon/mesh/solid/advice.h"
+#include "nanocarbon/mesh/solid/unite.h"
+#include "number_checks.h"
+
+namespace nanocarbon::cli {
+namespace {
+
+std::optional<double> length(const std::string& text) {
+  double value = 0.0;
+  const bool is_length = read_real(text, value) == NumberToken::number && value > 0.0 && std::isfinite(value);
+  return is_length ? std::optional(value) : std::nullopt;
+}
+
+mesh::WrapSize parsed_wrap_size(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const std::optional<double> size = length(text.substr(0, comma));
+  const std::optional<double> offset =
+      comma == text.npos ? std::optional(size.value_or(0.0) / mesh::WrapSize::sizes_in_offset)
+                         : length(text.substr(comma + 1));
+  if (!size || !offset)
+    throw CLI::ValidationError("--wrap",
+                               fmt::format("'{}' is not a size, or a size and an offset with a comma between "
+                                           "them, above 0 in mesh units",
+                                           text));
+  return {*size, *offset};
+}
+
+mesh::PolygonSoup solid_soup(const TriangleMesh& mesh, std::vector<std::string> notes,
+                             const std::string& done) {
+  mesh::PolygonSoup soup = mesh::soup_of(mesh);
+  soup.notes = std::move(notes);
+  soup.notes.push_back(done);
+  return soup;
+}
+
+mesh::PolygonSoup wrapped(const mesh::PolygonSoup& soup, const mesh::WrapSize& size) {
+  const mesh::Wrapped wrapped = mesh::wrap(soup, size);
+  return solid_soup(wrapped.mesh, soup.notes, describe(wrapped, size));
+}
+
+mesh::PolygonSoup united(mesh::PolygonSoup soup, double close_holes) {
+  mesh::RepairedSurface repaired = mesh::repair_surface(soup, close_holes);
+  if (!repaired.diagnosis.topology.manifold()) return soup;  // the reasons are told when it is used
+  const mesh::United united = mesh::unite(repaired.mesh);
+  return solid_soup(united.mesh, std::move(repaired.repairs), describe(united));
+}
+
+}  // namespace
+
+void add_surface_options(CLI::App& group, SurfaceOptions& o) {
+  CLI::Option* holes = group
+                           .add_option("--close-holes", o.close_holes,
+                                       "Close boundary loops with a radius below this, mesh units")
+                           ->check(above_zero());
+  CLI::Option* unite = group.add_flag(
+      "--unite", o.unite, "Make pieces that overlap one: each a closed solid (boolean union, by CGAL)");
+  group
+      .add_option_function<std::string>(
+          "--wrap", [&o](const std::string& text) { o.wrap = parsed_wrap_size(text); },
+          "Put a closed surface around whatever the mesh is, which does not enter gaps narrower than this "
+          "and lies "
+          "an offset outside of it, a 30th of the size if not given; mesh units (alpha wrap, by CGAL)")
+      ->type_name("SIZE[,OFFSET]")
+      ->excludes(unite)
+      ->excludes(holes);
+}
+
+SurfaceInput read_surface(const std::filesystem::path& path, const SurfaceOptions& options,
+                          const mesh::CellRequest& cell) {
+  SurfaceInput input{mesh::read_mesh(path)};
+  input.vertices_read = input.soup.points.size();
+  input.faces_read = input.soup.faces();
+  if (!options.wrap && !options.unite) return input;
+  try {
+    if (requested_cell(cell, input.soup))
+      throw UserError(Failure::usage,
+                      "--wrap and --unite know free space only: --periodic none leaves the cell out");
+    input.soup = options.wrap ? wrapped(input.soup, *options.wrap)
+                              : united(std::move(input.soup), options.close_holes);
+  } catch (const UserError& error) {
+    throw UserError(error.failure(), fmt::format("{}: {}", path.string(), error.what()));
+  }
+  return input;
+}
+
+mesh::LoadedSurface load_surface(const std::filesystem::path& path, const SurfaceOptions& options,
+                                 bool repair, const mesh::CellRequest& cell) {
+  const SurfaceInput input = read_surface(path, options, cell);
+  try {
+    mesh::LoadedSurface surface = mesh::load_surface(
+        input.soup, path, {.repair = repair, .close_holes = options.close_holes, .cell = cell});
+    surface.vertices_read = input.vertices_read;
+    surface.faces_read = input.faces_read;
+    return surface;
+  } catch (const UserError& error) {
+    if (error.failure() != Failure::unsuitable || !repair || requested_cell(cell, input.soup)) throw;
+    const std::optional<mesh::MeshAdvice> advice = mesh::advise(input.soup);
+    if (!advice) throw;
+    throw UserError(error.failure(), fmt::format("{}\nIt can be used with {} ({})", error.what(),
+                                                 advice->options, advice->outcome));
+  }
+}
+
+}  // namespace nanocarbon::cli
