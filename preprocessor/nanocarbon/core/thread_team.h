@@ -11,7 +11,8 @@
 
 namespace nanocarbon {
 
-//! A fixed number of threads that work through batches of tasks. The caller works too; idle threads sleep.
+//! A fixed number of threads that work through batches of tasks. The caller works too; idle threads look for
+//! work for some microseconds before they sleep.
 class ThreadTeam {
  public:
   //! \param threads including the caller's; at least 1
@@ -36,9 +37,9 @@ class ThreadTeam {
   const std::function<void(std::size_t, unsigned)>* task_ = nullptr;
   std::atomic<std::size_t> next_ = 0;
   std::size_t count_ = 0;
-  std::size_t round_ = 0;
-  unsigned busy_ = 0;
-  bool stop_ = false;
+  std::atomic<std::size_t> round_ = 0;
+  std::atomic<unsigned> busy_ = 0;
+  std::atomic<bool> stop_ = false;
 };
 
 }  // namespace nanocarbon
