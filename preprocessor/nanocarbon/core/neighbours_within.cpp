@@ -6,6 +6,8 @@
 #include <bit>
 #include <cmath>
 
+#include "nanocarbon/core/chunks.h"
+
 namespace nanocarbon {
 namespace {
 
@@ -35,23 +37,43 @@ Grid make_grid(const Cell* cell, double cutoff) {
   return grid;
 }
 
-std::uint64_t hash(const Bin& bin) {
-  std::uint64_t h = 0x9e3779b97f4a7c15ull;
-  for (const std::int64_t b : bin) {
-    h ^= static_cast<std::uint64_t>(b);
-    h *= 0xff51afd7ed558ccdull;
-    h ^= h >> 32;
-  }
-  return h;
+// A bin as one number. Bins two million apart share it; distances tell those apart.
+std::uint64_t packed(const Bin& bin) {
+  constexpr std::uint64_t mask = (std::uint64_t{1} << 21) - 1;
+  return (static_cast<std::uint64_t>(bin[0]) & mask) << 42 |
+         (static_cast<std::uint64_t>(bin[1]) & mask) << 21 | (static_cast<std::uint64_t>(bin[2]) & mask);
+}
+
+std::uint64_t hash(std::uint64_t key) {
+  key *= 0x9e3779b97f4a7c15ull;
+  key ^= key >> 32;
+  key *= 0xff51afd7ed558ccdull;
+  return key ^ key >> 32;
 }
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) {
   return a / b - ((a % b != 0) && ((a < 0) != (b < 0)));
 }
 
+// Atoms sorted by the hash bucket of their bin, with what is looked at of them side by side.
+struct Buckets {
+  explicit Buckets(std::size_t atoms) : count(std::bit_ceil(std::max<std::size_t>(16, 2 * atoms))) {}
+  std::size_t of(std::uint64_t key) const { return static_cast<std::size_t>(hash(key)) & (count - 1); }
+
+  struct Entry {
+    std::uint64_t key;
+    Vec3 position;
+    std::uint32_t atom;
+  };
+  std::size_t count;
+  std::vector<std::uint32_t> start;
+  std::vector<Entry> entries;
+};
+
 }  // namespace
 
-NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cell, double cutoff) {
+NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cell, double cutoff,
+                                ThreadTeam* team) {
   const Grid grid = make_grid(cell, cutoff);
   const std::size_t n = positions.size();
 
@@ -66,21 +88,19 @@ NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cel
     }
   }
 
-  // Atoms sorted by the hash bucket of their bin.
-  const std::size_t buckets = std::bit_ceil(std::max<std::size_t>(16, 2 * n));
-  const auto bucket_of = [&](const Bin& b) { return static_cast<std::size_t>(hash(b)) & (buckets - 1); };
-  std::vector<std::uint32_t> start(buckets + 1, 0), atoms(n);
-  for (std::size_t i = 0; i < n; ++i) ++start[bucket_of(bin[i]) + 1];
-  for (std::size_t b = 0; b < buckets; ++b) start[b + 1] += start[b];
-  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-  for (std::size_t i = 0; i < n; ++i) atoms[fill[bucket_of(bin[i])]++] = static_cast<std::uint32_t>(i);
-
-  NeighbourList list;
-  list.offsets.reserve(n + 1);
-  list.offsets.push_back(0);
-  const double cutoff_squared = cutoff * cutoff;
+  Buckets buckets(n);
+  buckets.start.assign(buckets.count + 1, 0);
+  buckets.entries.resize(n);
+  for (std::size_t i = 0; i < n; ++i) ++buckets.start[buckets.of(packed(bin[i])) + 1];
+  for (std::size_t b = 0; b < buckets.count; ++b) buckets.start[b + 1] += buckets.start[b];
+  std::vector<std::uint32_t> fill(buckets.start.begin(), buckets.start.end() - 1);
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t row = list.neighbours.size();
+    const std::uint64_t key = packed(bin[i]);
+    buckets.entries[fill[buckets.of(key)]++] = {key, positions[i], static_cast<std::uint32_t>(i)};
+  }
+
+  const double cutoff_squared = cutoff * cutoff;
+  const auto add_neighbours = [&](std::size_t i, std::vector<Neighbour>& found) {
     for (std::int64_t dx = -grid.reach[0]; dx <= grid.reach[0]; ++dx)
       for (std::int64_t dy = -grid.reach[1]; dy <= grid.reach[1]; ++dy)
         for (std::int64_t dz = -grid.reach[2]; dz <= grid.reach[2]; ++dz) {
@@ -91,21 +111,41 @@ NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cel
               crossed[d] = floor_div(target[d], grid.bins[d]);
               target[d] -= crossed[d] * grid.bins[d];
             }
-          const std::size_t bucket = bucket_of(target);
-          for (std::uint32_t slot = start[bucket]; slot < start[bucket + 1]; ++slot) {
-            const std::uint32_t j = atoms[slot];
-            if (bin[j] != target) continue;
+          const std::uint64_t key = packed(target);
+          const std::size_t bucket = buckets.of(key);
+          for (std::uint32_t slot = buckets.start[bucket]; slot < buckets.start[bucket + 1]; ++slot) {
+            const Buckets::Entry& other = buckets.entries[slot];
+            if (other.key != key) continue;
+            const std::uint32_t j = other.atom;
             std::array<std::int32_t, 3> image;
             for (int d = 0; d < 3; ++d)
               image[d] = static_cast<std::int32_t>(crossed[d] - home[j][d] + home[i][d]);
             if (j == i && image == std::array<std::int32_t, 3>{0, 0, 0}) continue;
-            Vec3 delta = positions[j] - positions[i];
+            Vec3 delta = other.position - positions[i];
             if (cell) delta += image_shift(*cell, image);
-            if (delta.squaredNorm() < cutoff_squared) list.neighbours.push_back({j, image});
+            if (delta.squaredNorm() < cutoff_squared) found.push_back({j, image});
           }
         }
-    std::sort(list.neighbours.begin() + static_cast<std::ptrdiff_t>(row), list.neighbours.end());
-    list.offsets.push_back(list.neighbours.size());
+  };
+
+  // Rows of each chunk of atoms by themselves, then all in a row.
+  std::vector<std::vector<Neighbour>> rows(chunks_of(n));
+  NeighbourList list;
+  list.offsets.assign(n + 1, 0);
+  for_chunks(team, n, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour>& found = rows[begin / chunk_size];
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t row = found.size();
+      add_neighbours(i, found);
+      std::sort(found.begin() + static_cast<std::ptrdiff_t>(row), found.end());
+      list.offsets[i + 1] = found.size() - row;
+    }
+  });
+  for (std::size_t i = 0; i < n; ++i) list.offsets[i + 1] += list.offsets[i];
+  list.neighbours.reserve(list.offsets[n]);
+  for (std::vector<Neighbour>& found : rows) {
+    list.neighbours.insert(list.neighbours.end(), found.begin(), found.end());
+    found = {};
   }
   return list;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "nanocarbon/core/cell.h"
+#include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/core/vec3.h"
 
 namespace nanocarbon {
@@ -38,6 +39,8 @@ struct NeighbourList {
 //! \param cell nullptr for no periodicity. Cells smaller than the cut-off are handled with as many images as
 //! needed.
 //! \param cutoff Angstrom, above zero
-NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cell, double cutoff);
+//! \param team may be null
+NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cell, double cutoff,
+                                ThreadTeam* team = nullptr);
 
 }  // namespace nanocarbon
