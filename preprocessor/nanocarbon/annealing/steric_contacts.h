@@ -8,11 +8,14 @@
 #include <vector>
 
 #include "nanocarbon/annealing/fixed_bond_rebo2.h"
+#include "nanocarbon/core/approach_watch.h"
 
 namespace nanocarbon::annealing {
 
 //! Distance below which unbonded atoms repel each other, Angstrom. REBO2 itself sees other atoms up to 2.0.
 inline constexpr double steric_reach = 2.9;
+//! By this much farther apart pairs are listed, Angstrom.
+inline constexpr double steric_margin = 0.8;
 
 //! Bonds apart up to which two atoms never repel: the angles and rings of the network hold those apart.
 inline constexpr unsigned steric_excluded_bonds = 3;
@@ -30,10 +33,11 @@ class StericContacts {
   using Neighbours = std::vector<std::array<AtomIndex, 3>>;
 
   //! Lists the pairs of atoms more than steric_excluded_bonds apart that are within the reach and the margin.
-  void renew(std::span<const Vec3> positions, const FixedBondGraph& graph);
+  void renew(std::span<const Vec3> positions, const FixedBondGraph& graph, ThreadTeam* team = nullptr);
 
   //! Energy in eV, gradient added to; renews the pairs first where atoms have moved too far.
-  double evaluate(std::span<const Vec3> positions, const FixedBondGraph& graph, std::span<Vec3> gradient);
+  double evaluate(std::span<const Vec3> positions, const FixedBondGraph& graph, std::span<Vec3> gradient,
+                  ThreadTeam* team = nullptr);
 
   //! Atoms listed as near the given one, in both directions.
   std::span<const AtomIndex> near(AtomIndex atom) const {
@@ -42,20 +46,9 @@ class StericContacts {
   }
 
  private:
-  struct Block {  // of atoms that were in one cube of space
-    Vec3 shift = Vec3::Zero();
-    double spread = 0;  // square of how far an atom's shift is from the block's, at most
-    std::uint32_t atoms = 0;
-  };
-  void divide();
-  bool stale(std::span<const Vec3> positions, const Space& space);
-
   std::vector<std::size_t> offsets_;
   std::vector<AtomIndex> near_;
-  std::vector<Vec3> reference_;
-  std::vector<std::uint32_t> block_of_;  // each atom's
-  std::vector<Block> blocks_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> adjacent_;  // blocks that touch
+  ApproachWatch watch_{steric_reach, steric_margin};
 };
 
 }  // namespace nanocarbon::annealing

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "nanocarbon/core/approach_watch.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/potential/periodic_copies.h"
 #include "nanocarbon/potential/rebo2/kernels/sp2_dispatch.h"
@@ -14,6 +15,8 @@ namespace nanocarbon::rebo2 {
 namespace {
 
 constexpr double skin = 0.4;  // Angstrom
+// Fewer atoms are listed anew about as soon as parts that move as a whole are told apart.
+constexpr std::size_t least_for_parts = 2000;
 
 double largest_cutoff(const Rebo2Parameters& parameters) {
   double largest = 0.0;
@@ -44,7 +47,8 @@ struct Rebo2::State {
       : parameters(p),
         cutoffs{cutoff(Element::carbon, Element::carbon), cutoff(Element::carbon, Element::hydrogen),
                 cutoff(Element::hydrogen, Element::hydrogen)},
-        evaluation(p, find_kernel(instructions)) {}
+        evaluation(p, find_kernel(instructions)),
+        watch(largest_cutoff(p), skin) {}
 
   BondCutoff cutoff(Element a, Element b) const {
     const PairParameters& pair = parameters.pairs[pair_index(a, b)];
@@ -57,7 +61,7 @@ struct Rebo2::State {
   Rebo2Result result;
 
   potential::NearAtoms near;
-  std::vector<Vec3> listed_positions;
+  ApproachWatch watch;            // of the positions that were listed
   std::vector<Element> elements;  // own atoms and copies
   std::optional<Cell> listed_cell;
   std::size_t list_builds = 0;
@@ -65,19 +69,15 @@ struct Rebo2::State {
   std::vector<double> coordinates;  // of own atoms and copies, where there are copies
   std::vector<potential::Virial> virials;
 
-  bool list_is_good(std::span<const Vec3> positions, std::span<const Element> own, const Cell* cell) const {
-    if (list_builds == 0 || positions.size() != listed_positions.size() || !same_cell(listed_cell, cell))
-      return false;
+  bool list_is_good(std::span<const Vec3> positions, std::span<const Element> own, const Cell* cell) {
+    if (list_builds == 0 || positions.size() != watch.atoms() || !same_cell(listed_cell, cell)) return false;
     if (!std::equal(own.begin(), own.end(), elements.begin())) return false;
-    constexpr double reach = 0.25 * skin * skin;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      if (!((positions[i] - listed_positions[i]).squaredNorm() <= reach)) return false;
-    return true;
+    return !watch.may_be_closer(positions, !cell && positions.size() >= least_for_parts);
   }
 
   void make_list(std::span<const Vec3> positions, std::span<const Element> own, const Cell* cell) {
     near = potential::find_near_atoms(positions, cell, largest_cutoff(parameters) + skin);
-    listed_positions.assign(positions.begin(), positions.end());
+    watch.set(positions);
     elements.assign(own.begin(), own.end());
     for (const potential::PeriodicCopy& copy : near.copies) elements.push_back(own[copy.of]);
     listed_cell = cell ? std::optional<Cell>(*cell) : std::nullopt;

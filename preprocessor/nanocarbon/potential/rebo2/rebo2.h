@@ -22,7 +22,8 @@ struct Rebo2Result : potential::Evaluation {
 
 //! \brief REBO2 for carbon and hydrogen.
 //! \details Brenner et al. 2002 as LAMMPS's `pair_style rebo` evaluates it. Made for repeated calls: lists
-//! and arrays are kept, and near pairs are searched for again only after an atom has moved by half the skin.
+//! and arrays are kept, and near pairs are searched for again only after two atoms near each other may have come
+//! closer by the skin.
 class Rebo2 final : public potential::Potential {
  public:
   //! \param instructions of the fast evaluation: "generic", "avx2" or "avx512"; empty for the best that runs
