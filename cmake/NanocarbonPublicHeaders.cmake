@@ -18,6 +18,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   core/output_file.h
   core/quality.h
   core/space.h
+  core/stage_clock.h
   core/thread_team.h
   core/vec3.h
   core/version.h
