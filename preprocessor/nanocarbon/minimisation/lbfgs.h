@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/core/vec3.h"
 
 namespace nanocarbon::multilevel {
@@ -25,8 +26,9 @@ struct LbfgsOptions {
   //! atoms. Renewed on the way. It limits how far bonded atoms move against each other, not how far they move:
   //! max_step does not count. May be null.
   multilevel::SheetPreconditioner* preconditioner = nullptr;
-  double max_strain = 0.2;  //!< Angstrom, of bonded atoms against each other, with a preconditioner
-  int memory = 6;           //!< pairs; more of them cost more than they save
+  double max_strain = 0.2;     //!< Angstrom, of bonded atoms against each other, with a preconditioner
+  int memory = 6;              //!< pairs; more of them cost more than they save
+  ThreadTeam* team = nullptr;  //!< of what is done here, not of the energy; may be null
   //! Asked after each iteration; true ends the minimisation early. May be empty.
   std::function<bool(int iteration, double energy, std::span<const Vec3> positions)> stop = {};
 };
@@ -47,6 +49,6 @@ LbfgsResult minimise_lbfgs(std::vector<Vec3>& positions, const EnergyFunction& e
                            const LbfgsOptions& options);
 
 //! Largest norm among the vectors.
-double largest_norm(std::span<const Vec3> vectors);
+double largest_norm(std::span<const Vec3> vectors, ThreadTeam* team = nullptr);
 
 }  // namespace nanocarbon::minimisation

@@ -51,13 +51,14 @@ MinimisationResult minimise_molecule(Molecule& molecule, potential::Potential& p
   std::optional<multilevel::SheetPreconditioner> preconditioner;
   if (molecule.size() >= multilevel::least_atoms) {
     preconditioner.emplace(Space(molecule.cell), molecule.positions,
-                           multilevel::bonded_atoms(molecule.size(), molecule.bonds));
+                           multilevel::bonded_atoms(molecule.size(), molecule.bonds), options.team);
     preconditioner->renew(molecule.positions);
   }
   const LbfgsResult relaxed = minimise_lbfgs(molecule.positions, energy_of(molecule, potential),
                                              {.max_iterations = options.max_iterations,
                                               .force_tolerance = options.force_tolerance,
-                                              .preconditioner = preconditioner ? &*preconditioner : nullptr});
+                                              .preconditioner = preconditioner ? &*preconditioner : nullptr,
+                                              .team = options.team});
   return {relaxed.energy, relaxed.max_force, relaxed.iterations, relaxed.converged,
           bonds_are_those_seen(molecule, potential.bond_cutoffs())};
 }

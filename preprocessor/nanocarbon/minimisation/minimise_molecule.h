@@ -11,6 +11,7 @@ struct MinimisationOptions {
   double force_tolerance = 1e-4;  //!< eV/Angstrom, on the largest force on an atom
   //! Enough for 1e-6 eV/Angstrom: 10,000 atoms with modes down to 1e-4 eV/Angstrom^2 took 5,000 to 7,000.
   int max_iterations = 20000;
+  ThreadTeam* team = nullptr;  //!< of all but the potential; may be null
 };
 
 struct MinimisationResult {

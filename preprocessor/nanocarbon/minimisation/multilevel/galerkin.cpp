@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "nanocarbon/core/chunks.h"
+
 namespace nanocarbon::multilevel {
 
 namespace {
@@ -21,7 +23,8 @@ struct GalerkinProduct::Scratch {
 };
 
 GalerkinProduct::GalerkinProduct(const NodeGraph& pattern, const Interpolation& interpolation,
-                                 std::size_t coarse_nodes) {
+                                 std::size_t coarse_nodes, ThreadTeam* team)
+    : team_(team) {
   const NodeGraph fine_of = transposed(interpolation.coarse, coarse_nodes);
   std::vector<std::uint32_t> seen(coarse_nodes, none), seen_fine(pattern.size(), none), row;
   for (std::uint32_t c = 0; c < coarse_nodes; ++c) {
@@ -87,8 +90,10 @@ void GalerkinProduct::compute_chunk(const Chunk& chunk, const NodeGraph& pattern
 std::vector<Block> GalerkinProduct::blocks(const NodeGraph& pattern, const RowOf& row_of,
                                            const Interpolation& interpolation) const {
   std::vector<Block> product(pattern_.nodes.size(), Block{});
-  Scratch scratch(pattern_.size());
-  for (const Chunk& chunk : chunks_) compute_chunk(chunk, pattern, row_of, interpolation, product, scratch);
+  for_each_index(team_, chunks_.size(), [&](std::size_t chunk) {
+    Scratch scratch(pattern_.size());
+    compute_chunk(chunks_[chunk], pattern, row_of, interpolation, product, scratch);
+  });
   std::vector<std::uint32_t> below(pattern_.offsets.begin(), pattern_.offsets.end() - 1);
   for (std::uint32_t c = 0; c < pattern_.size(); ++c)
     for (std::uint32_t k = pattern_.offsets[c]; k < pattern_.offsets[c + 1]; ++k)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/minimisation/multilevel/interpolation.h"
 #include "nanocarbon/minimisation/multilevel/symmetric_block.h"
 
@@ -10,7 +11,9 @@ namespace nanocarbon::multilevel {
 class GalerkinProduct {
  public:
   GalerkinProduct() = default;
-  GalerkinProduct(const NodeGraph& pattern, const Interpolation& interpolation, std::size_t coarse_nodes);
+  //! \param team may be null; outlives the product
+  GalerkinProduct(const NodeGraph& pattern, const Interpolation& interpolation, std::size_t coarse_nodes,
+                  ThreadTeam* team = nullptr);
 
   //! Nodes of each row of the product, sorted, the row's own included.
   const NodeGraph& pattern() const { return pattern_; }
@@ -30,6 +33,7 @@ class GalerkinProduct {
 
   NodeGraph pattern_;
   std::vector<Chunk> chunks_;
+  ThreadTeam* team_ = nullptr;
 };
 
 }  // namespace nanocarbon::multilevel

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nanocarbon/core/chunks.h"
 #include "nanocarbon/minimisation/multilevel/galerkin.h"
 #include "nanocarbon/minimisation/multilevel/smoother.h"
 
@@ -78,31 +79,36 @@ void set_transposed(Level& level, std::size_t coarse_nodes) {
     level.fine_weights[fill[rows.nodes[e]]++] = static_cast<float>(level.interpolation.weights[e]);
 }
 
-void restrict_residual(const Level& level, Displacements& coarse) {
-  for (std::size_t c = 0; c < level.fine_of.size(); ++c) {
-    float sum[3] = {0, 0, 0};
-    for (std::uint32_t e = level.fine_of.offsets[c]; e < level.fine_of.offsets[c + 1]; ++e)
-      for (std::size_t d = 0; d < 3; ++d)
-        sum[d] += level.fine_weights[e] * level.residual[3 * level.fine_of.nodes[e] + d];
-    std::copy_n(sum, 3, &coarse[3 * c]);
-  }
+void restrict_residual(const Level& level, Displacements& coarse, ThreadTeam* team) {
+  for_chunks(team, level.fine_of.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      float sum[3] = {0, 0, 0};
+      for (std::uint32_t e = level.fine_of.offsets[c]; e < level.fine_of.offsets[c + 1]; ++e)
+        for (std::size_t d = 0; d < 3; ++d)
+          sum[d] += level.fine_weights[e] * level.residual[3 * level.fine_of.nodes[e] + d];
+      std::copy_n(sum, 3, &coarse[3 * c]);
+    }
+  });
 }
 
-void add_correction(Level& level, const Displacements& coarse) {
+void add_correction(Level& level, const Displacements& coarse, ThreadTeam* team) {
   const NodeGraph& rows = level.interpolation.coarse;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    float sum[3] = {0, 0, 0};
-    for (std::uint32_t e = rows.offsets[i]; e < rows.offsets[i + 1]; ++e)
-      for (std::size_t d = 0; d < 3; ++d)
-        sum[d] += static_cast<float>(level.interpolation.weights[e]) * coarse[3 * rows.nodes[e] + d];
-    for (std::size_t d = 0; d < 3; ++d) level.solution[3 * i + d] += sum[d];
-  }
+  for_chunks(team, rows.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      float sum[3] = {0, 0, 0};
+      for (std::uint32_t e = rows.offsets[i]; e < rows.offsets[i + 1]; ++e)
+        for (std::size_t d = 0; d < 3; ++d)
+          sum[d] += static_cast<float>(level.interpolation.weights[e]) * coarse[3 * rows.nodes[e] + d];
+      for (std::size_t d = 0; d < 3; ++d) level.solution[3 * i + d] += sum[d];
+    }
+  });
 }
 
 }  // namespace
 
 struct SheetPreconditioner::Levels {
   Space space;
+  ThreadTeam* team = nullptr;
   NodeGraph bonds;                   // of atoms as they come
   std::vector<std::uint32_t> order;  // atoms by place
   SheetSprings springs;              // by place
@@ -126,8 +132,8 @@ struct SheetPreconditioner::Levels {
       Level& level = all.emplace_back();
       level.interpolation = quadratic_interpolation(space, at, coarsening);
       set_transposed(level, coarse);
-      level.smoother = Smoother(pattern);
-      level.product = GalerkinProduct(pattern, level.interpolation, coarse);
+      level.smoother = Smoother(pattern, team);
+      level.product = GalerkinProduct(pattern, level.interpolation, coarse, team);
       level.pattern = std::exchange(pattern, level.product.pattern());
       for (Displacements* vector : {&level.right, &level.solution, &level.residual})
         vector->assign(3 * graph.size(), 0);
@@ -171,20 +177,22 @@ struct SheetPreconditioner::Levels {
     };
     for (std::size_t l = 0; l < all.size(); ++l) {
       all[l].smoother.sweep_from_zero(all[l].right, all[l].solution, all[l].residual);
-      restrict_residual(all[l], right_of(l + 1));
+      restrict_residual(all[l], right_of(l + 1), team);
     }
     coarsest.solve(coarsest_right, coarsest_solution);
     for (std::size_t l = all.size(); l-- > 0;) {
-      add_correction(all[l], l + 1 < all.size() ? all[l + 1].solution : coarsest_solution);
+      add_correction(all[l], l + 1 < all.size() ? all[l + 1].solution : coarsest_solution, team);
       all[l].smoother.sweep_back(all[l].right, all[l].solution);
     }
   }
 };
 
 SheetPreconditioner::SheetPreconditioner(const Space& space, std::span<const Vec3> positions,
-                                         const NodeGraph& bonds, const SheetStiffness& stiffness)
+                                         const NodeGraph& bonds, ThreadTeam* team,
+                                         const SheetStiffness& stiffness)
     : levels_(std::make_unique<Levels>()) {
   levels_->space = space;
+  levels_->team = team;
   levels_->bonds = bonds;
   levels_->build(positions, stiffness);
 }
@@ -201,38 +209,48 @@ void SheetPreconditioner::renew(std::span<const Vec3> positions, const Holds& ho
 
 void SheetPreconditioner::renew_if_strained(std::span<const Vec3> positions) {
   const std::vector<Vec3>& reference = levels_->reference;
-  for (std::uint32_t a = 0; a < positions.size(); ++a)
-    for (const std::uint32_t n : levels_->bonds.of(a)) {
-      if (n < a) continue;
-      const Vec3 change = (positions[n] - reference[n]) - (positions[a] - reference[a]);
-      if (change.squaredNorm() > most_strain * most_strain) {
-        levels_->reference.assign(positions.begin(), positions.end());
-        levels_->renew();
-        return;
-      }
-    }
+  const double strain2 =
+      largest_in_chunks(levels_->team, positions.size(), [&](std::size_t begin, std::size_t end) {
+        double largest = 0;
+        for (std::size_t a = begin; a < end; ++a)
+          for (const std::uint32_t n : levels_->bonds.of(a))
+            if (n > a)
+              largest = std::max(
+                  largest, ((positions[n] - reference[n]) - (positions[a] - reference[a])).squaredNorm());
+        return largest;
+      });
+  if (!(strain2 > most_strain * most_strain)) return;
+  levels_->reference.assign(positions.begin(), positions.end());
+  levels_->renew();
 }
 
 void SheetPreconditioner::apply(std::span<const Vec3> gradient, std::span<Vec3> step) const {
   const std::vector<std::uint32_t>& order = levels_->order;
   const bool direct = levels_->all.empty();
   Displacements& right = direct ? levels_->coarsest_right : levels_->all.front().right;
-  for (std::size_t place = 0; place < order.size(); ++place)
-    for (int d = 0; d < 3; ++d)
-      right[3 * place + static_cast<std::size_t>(d)] = static_cast<float>(gradient[order[place]][d]);
+  for_chunks(levels_->team, order.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place)
+      for (int d = 0; d < 3; ++d)
+        right[3 * place + static_cast<std::size_t>(d)] = static_cast<float>(gradient[order[place]][d]);
+  });
   levels_->cycle();
   const Displacements& solution = direct ? levels_->coarsest_solution : levels_->all.front().solution;
-  for (std::size_t place = 0; place < order.size(); ++place)
-    for (int d = 0; d < 3; ++d)
-      step[order[place]][d] = static_cast<double>(solution[3 * place + static_cast<std::size_t>(d)]);
+  for_chunks(levels_->team, order.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place)
+      for (int d = 0; d < 3; ++d)
+        step[order[place]][d] = static_cast<double>(solution[3 * place + static_cast<std::size_t>(d)]);
+  });
 }
 
 double SheetPreconditioner::strain(std::span<const Vec3> displacement) const {
-  double largest = 0;
-  for (std::uint32_t a = 0; a < displacement.size(); ++a)
-    for (const std::uint32_t n : levels_->bonds.of(a))
-      if (n > a) largest = std::max(largest, (displacement[n] - displacement[a]).squaredNorm());
-  return std::sqrt(largest);
+  return std::sqrt(
+      largest_in_chunks(levels_->team, displacement.size(), [&](std::size_t begin, std::size_t end) {
+        double largest = 0;
+        for (std::size_t a = begin; a < end; ++a)
+          for (const std::uint32_t n : levels_->bonds.of(a))
+            if (n > a) largest = std::max(largest, (displacement[n] - displacement[a]).squaredNorm());
+        return largest;
+      }));
 }
 
 }  // namespace nanocarbon::multilevel

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "nanocarbon/core/space.h"
+#include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/minimisation/multilevel/node_graph.h"
 #include "nanocarbon/minimisation/multilevel/sheet_springs.h"
 
@@ -20,9 +21,10 @@ inline constexpr std::size_t least_atoms = 2000;
 //! operator is symmetric and positive definite.
 class SheetPreconditioner {
  public:
+  //! \param team may be null; outlives the preconditioner
   //! \param positions Angstrom; what is near what on the sheet is taken from here once and for all
   SheetPreconditioner(const Space& space, std::span<const Vec3> positions, const NodeGraph& bonds,
-                      const SheetStiffness& stiffness = {});
+                      ThreadTeam* team = nullptr, const SheetStiffness& stiffness = {});
   ~SheetPreconditioner();
   SheetPreconditioner(SheetPreconditioner&&) noexcept;
   SheetPreconditioner& operator=(SheetPreconditioner&&) noexcept;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "nanocarbon/core/chunks.h"
+#include "nanocarbon/minimisation/multilevel/chunk_colours.h"
+
 namespace nanocarbon::multilevel {
 
 namespace {
@@ -33,37 +36,13 @@ inline void store_product(float* out, const FloatBlock& b, const Sum& v) {
   out[2] = b[2] * v.x + b[4] * v.y + b[5] * v.z;
 }
 
-// Colours of chunks: chunks of one colour are not coupled.
-std::vector<std::uint32_t> colour_chunks(const NodeGraph& pattern) {
-  const auto chunks = static_cast<std::uint32_t>((pattern.size() + nodes_in_chunk - 1) / nodes_in_chunk);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> coupled;
-  std::vector<std::uint32_t> last(chunks, static_cast<std::uint32_t>(-1));
-  for (std::uint32_t i = 0; i < pattern.size(); ++i)
-    for (const std::uint32_t j : pattern.of(i)) {
-      const std::uint32_t own = i / nodes_in_chunk, other = j / nodes_in_chunk;
-      if (other <= own || last[other] == own) continue;
-      last[other] = own;
-      coupled.emplace_back(own, other);
-    }
-  const NodeGraph graph = graph_of_pairs(chunks, coupled);
-  std::vector<std::uint32_t> colour(chunks, 0);
-  for (std::uint32_t c = 0; c < chunks; ++c) {
-    std::vector<bool> taken(graph.of(c).size() + 1, false);
-    for (const std::uint32_t n : graph.of(c))
-      if (n < c && colour[n] < taken.size()) taken[colour[n]] = true;
-    colour[c] = static_cast<std::uint32_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
-  }
-  return colour;
-}
-
 }  // namespace
 
-Smoother::Smoother(const NodeGraph& pattern) {
-  const std::vector<std::uint32_t> colour = colour_chunks(pattern);
-  for (std::uint32_t c = 0; c < colour.size(); ++c) {
-    if (colours_.size() <= colour[c]) colours_.resize(colour[c] + 1);
-    colours_[colour[c]].push_back(c);
-  }
+Smoother::Smoother(const NodeGraph& pattern, ThreadTeam* team)
+    : colours_(chunks_by_colour(pattern, nodes_in_chunk)), team_(team) {
+  std::vector<std::uint32_t> colour((pattern.size() + nodes_in_chunk - 1) / nodes_in_chunk);
+  for (std::uint32_t c = 0; c < colours_.size(); ++c)
+    for (const std::uint32_t chunk : colours_[c]) colour[chunk] = c;
   const auto before = [&](std::uint32_t i, std::uint32_t j) {
     const std::uint32_t a = colour[i / nodes_in_chunk], b = colour[j / nodes_in_chunk];
     return a != b ? a < b : i < j;
@@ -87,63 +66,61 @@ Smoother::Smoother(const NodeGraph& pattern) {
   }
 }
 
+std::uint32_t Smoother::begin_of(std::uint32_t chunk) const { return chunk * nodes_in_chunk; }
+
+std::uint32_t Smoother::end_of(std::uint32_t chunk) const {
+  return std::min(static_cast<std::uint32_t>(rows_.size()), (chunk + 1) * nodes_in_chunk);
+}
+
 void Smoother::set(const NodeGraph& pattern, const RowOf& row_of) {
   blocks_.resize(nodes_.size());
   inverse_.resize(rows_.size());
-  std::vector<Block> row;
-  for (std::uint32_t i = 0; i < rows_.size(); ++i) {
-    row_of(i, row);
-    const auto columns = pattern.of(i);
-    const auto own = std::lower_bound(columns.begin(), columns.end(), i) - columns.begin();
-    inverse_[i] = to_float(inverse(row[static_cast<std::size_t>(own)]));
-    for (std::uint32_t e = rows_[i].begin; e < rows_[i].end; ++e) blocks_[e] = to_float(row[place_[e]]);
-  }
-}
-
-template <typename Visit>
-void Smoother::for_chunks(Visit visit) const {
-  const auto size = static_cast<std::uint32_t>(rows_.size());
-  for (const std::vector<std::uint32_t>& colour : colours_)
-    for (const std::uint32_t chunk : colour)
-      for (std::uint32_t i = chunk * nodes_in_chunk; i < std::min(size, (chunk + 1) * nodes_in_chunk); ++i)
-        visit(i);
-}
-
-template <typename Visit>
-void Smoother::for_chunks_backwards(Visit visit) const {
-  const auto size = static_cast<std::uint32_t>(rows_.size());
-  for (std::size_t colour = colours_.size(); colour-- > 0;)
-    for (std::size_t k = colours_[colour].size(); k-- > 0;) {
-      const std::uint32_t chunk = colours_[colour][k], begin = chunk * nodes_in_chunk;
-      for (std::uint32_t i = std::min(size, begin + nodes_in_chunk); i-- > begin;) visit(i);
+  for_chunks(team_, rows_.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<Block> row;
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+      row_of(i, row);
+      const auto columns = pattern.of(i);
+      const auto own = std::lower_bound(columns.begin(), columns.end(), i) - columns.begin();
+      inverse_[i] = to_float(inverse(row[static_cast<std::size_t>(own)]));
+      for (std::uint32_t e = rows_[i].begin; e < rows_[i].end; ++e) blocks_[e] = to_float(row[place_[e]]);
     }
+  });
 }
 
 void Smoother::sweep_from_zero(const Displacements& b, Displacements& x, Displacements& residual) const {
-  for_chunks([&](std::uint32_t i) {
-    Sum sum = {b[3 * i], b[3 * i + 1], b[3 * i + 2]};
-    for (std::uint32_t e = rows_[i].begin; e < rows_[i].middle; ++e)
-      subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
-    store_product(&x[3 * i], inverse_[i], sum);
-  });
+  for (const std::vector<std::uint32_t>& colour : colours_)
+    for_each_index(team_, colour.size(), [&](std::size_t k) {
+      for (std::uint32_t i = begin_of(colour[k]); i < end_of(colour[k]); ++i) {
+        Sum sum = {b[3 * i], b[3 * i + 1], b[3 * i + 2]};
+        for (std::uint32_t e = rows_[i].begin; e < rows_[i].middle; ++e)
+          subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
+        store_product(&x[3 * i], inverse_[i], sum);
+      }
+    });
   // What was swept before a node has been met by its own sweep.
-  for (std::uint32_t i = 0; i < rows_.size(); ++i) {
-    Sum sum = {0, 0, 0};
-    for (std::uint32_t e = rows_[i].middle; e < rows_[i].end; ++e)
-      subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
-    residual[3 * i] = sum.x;
-    residual[3 * i + 1] = sum.y;
-    residual[3 * i + 2] = sum.z;
-  }
+  for_chunks(team_, rows_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Sum sum = {0, 0, 0};
+      for (std::uint32_t e = rows_[i].middle; e < rows_[i].end; ++e)
+        subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
+      residual[3 * i] = sum.x;
+      residual[3 * i + 1] = sum.y;
+      residual[3 * i + 2] = sum.z;
+    }
+  });
 }
 
 void Smoother::sweep_back(const Displacements& b, Displacements& x) const {
-  for_chunks_backwards([&](std::uint32_t i) {
-    Sum sum = {b[3 * i], b[3 * i + 1], b[3 * i + 2]};
-    for (std::uint32_t e = rows_[i].begin; e < rows_[i].end; ++e)
-      subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
-    store_product(&x[3 * i], inverse_[i], sum);
-  });
+  for (std::size_t c = colours_.size(); c-- > 0;)
+    for_each_index(team_, colours_[c].size(), [&](std::size_t k) {
+      const std::uint32_t chunk = colours_[c][k];
+      for (std::uint32_t i = end_of(chunk); i-- > begin_of(chunk);) {
+        Sum sum = {b[3 * i], b[3 * i + 1], b[3 * i + 2]};
+        for (std::uint32_t e = rows_[i].begin; e < rows_[i].end; ++e)
+          subtract_product(sum, blocks_[e], &x[3 * nodes_[e]]);
+        store_product(&x[3 * i], inverse_[i], sum);
+      }
+    });
 }
 
 }  // namespace nanocarbon::multilevel

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/minimisation/multilevel/node_graph.h"
 #include "nanocarbon/minimisation/multilevel/symmetric_block.h"
 
@@ -13,12 +14,13 @@ using Displacements = std::vector<float>;
 
 //! \brief Block Gauss-Seidel sweeps over a matrix, in single precision.
 //! \details Nodes are swept in chunks that follow each other in an order of their own: chunks that are not coupled
-//! could be swept at once, whatever the number of threads.
+//! are swept at once, whatever the number of threads.
 class Smoother {
  public:
   Smoother() = default;
   //! \param pattern nodes of each row, the row's own included
-  explicit Smoother(const NodeGraph& pattern);
+  //! \param team may be null; outlives the smoother
+  explicit Smoother(const NodeGraph& pattern, ThreadTeam* team = nullptr);
 
   //! \pre diagonal blocks are positive definite
   void set(const NodeGraph& pattern, const RowOf& row_of);
@@ -29,10 +31,8 @@ class Smoother {
   void sweep_back(const Displacements& b, Displacements& x) const;
 
  private:
-  template <typename Visit>
-  void for_chunks(Visit visit) const;
-  template <typename Visit>
-  void for_chunks_backwards(Visit visit) const;
+  std::uint32_t begin_of(std::uint32_t chunk) const;
+  std::uint32_t end_of(std::uint32_t chunk) const;
 
   struct Row {
     std::uint32_t begin, middle, end;  // entries swept before the node, and after it
@@ -41,6 +41,7 @@ class Smoother {
   std::vector<std::uint32_t> nodes_, place_;  // of each entry, and its place in the pattern's row
   std::vector<SymmetricBlock<float>> blocks_, inverse_;
   std::vector<std::vector<std::uint32_t>> colours_;  // chunks of each
+  ThreadTeam* team_ = nullptr;
 };
 
 }  // namespace nanocarbon::multilevel
