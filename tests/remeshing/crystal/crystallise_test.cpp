@@ -73,6 +73,19 @@ TEST(Crystallise, BoundaryVerticesStayOnTheBoundary) {
   EXPECT_NEAR(static_cast<double>(high), expected, 0.15 * expected);
 }
 
+TEST(Crystallise, AnyNumberOfThreadsGivesTheSameMesh) {
+  const TriangleMesh surface = test::torus(3, 1.2, 60, 24);
+  CrystalOptions options = options_for(24000);  // enough for every step to be shared out
+  const CrystalResult one = crystallise(surface, options);
+  for (const unsigned threads : {2u, 3u}) {
+    ThreadTeam team(threads);
+    options.team = &team;
+    const CrystalResult other = crystallise(surface, options);
+    EXPECT_EQ(one.mesh.points, other.mesh.points);
+    EXPECT_EQ(one.mesh.triangles, other.mesh.triangles);
+  }
+}
+
 TEST(Crystallise, TheSameSeedGivesTheSameMesh) {
   const TriangleMesh surface = test::torus(3, 1.2, 60, 24);
   const CrystalResult one = crystallise(surface, options_for(800));

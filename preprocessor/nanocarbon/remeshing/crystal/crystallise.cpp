@@ -33,6 +33,9 @@ constexpr std::size_t least_coarse_faces = 1200;
 
 constexpr std::uint64_t seed_step = 1000003;
 
+// With more triangles than this vertices are put in order along the surface.
+constexpr std::size_t least_large_faces = 20000;
+
 //! Steps of annealing and temperatures for a quality. Refined levels stay below melting: they keep their
 //! order.
 struct Effort {
@@ -64,68 +67,19 @@ std::size_t vertices_for_faces(const Tiling& tiling, std::size_t faces) {
       std::max(4.0, std::round(vertices + (static_cast<double>(faces) - triangles) / 2)));
 }
 
-std::size_t count_unsound(const Tiling& tiling) {
-  std::size_t unsound = 0;
-  for (VertexIndex v = 0; v < tiling.table.vertices(); ++v)
-    unsound += soundness_around(tiling, v) < 0 ? 1 : 0;
-  return unsound;
-}
-
 void reach_faces(Tiling& tiling, std::size_t faces) {
   const std::size_t wanted = vertices_for_faces(tiling, faces);
   reach_vertex_count(tiling, wanted);
   unfold(tiling, 10);
 }
 
-//! A tiling of about this many faces that is annealed from hot; the guide's normals are smoothed to fit.
-Tiling freeze(SurfaceGuide& guide, double spacing, std::size_t faces, const AnnealingSchedule& schedule) {
-  guide.smooth_normals(normals_length * spacing);
-  Tiling tiling = tiling_of(guide);
-  remesh_isotropically(tiling, spacing, 6);
-  reach_faces(tiling, faces);
-  anneal_particles(tiling, spacing, schedule);
-  return tiling;
-}
-
-//! \brief Crystallises at a quarter of the faces, or a quarter of that, and refines, annealing shortly.
-//! \return nothing where a coarse level cannot show the shape without turned or folded triangles
-std::optional<Tiling> freeze_coarse_to_fine(SurfaceGuide& guide, double spacing, int levels,
-                                            const Effort& effort, const CrystalOptions& options) {
-  AnnealingSchedule schedule{effort.coarse_steps, effort.hot, coldest, options.seed};
-  double coarse_spacing = std::ldexp(spacing, levels);
-  Tiling tiling = freeze(guide, coarse_spacing, (options.faces >> (2 * levels + 1)) * 2, schedule);
-  if (count_unsound(tiling) > 0) return std::nullopt;
-  schedule.steps = effort.fine_steps;
-  schedule.hot = effort.warm;
-  for (int level = levels - 1; level >= 0; --level) {
-    coarse_spacing /= 2;
-    guide.smooth_normals(normals_length * coarse_spacing);
-    split_in_four(tiling);
-    if (level == 0) reach_faces(tiling, options.faces);
-    if (unfold(tiling, 10) > 0) return std::nullopt;
-    anneal_particles(tiling, coarse_spacing, schedule);
-    if (level > 0 && count_unsound(tiling) > 0) return std::nullopt;
-  }
-  return tiling;
-}
-
-// In a cell narrower than this, in spacings, vertices meet through two images.
-constexpr double least_width = 3.7;
-
-int deepest_levels(const SurfaceGuide& guide, double spacing, std::size_t faces) {
-  int levels = 0;
-  while ((faces >> (2 * (levels + 1))) >= least_coarse_faces &&
-         guide.space().least_width() > least_width * std::ldexp(spacing, levels + 1))
-    ++levels;
-  return levels;
-}
-
 std::vector<VertexIndex> troubled_vertices(const Tiling& tiling) {
-  std::vector<VertexIndex> troubled;
-  for (VertexIndex v = 0; v < tiling.table.vertices(); ++v) {
-    const bool bad = !tiling.table.on_boundary(v) && std::abs(tiling.table.valence(v) - 6) > 1;
-    if (bad || soundness_around(tiling, v) < 0) troubled.push_back(v);
-  }
+  std::vector<VertexIndex> troubled = unsound_vertices(tiling);
+  for (VertexIndex v = 0; v < tiling.table.vertices(); ++v)
+    if (!tiling.table.on_boundary(v) && std::abs(tiling.table.valence(v) - 6) > 1)
+      troubled.push_back(v);
+  std::sort(troubled.begin(), troubled.end());
+  troubled.erase(std::unique(troubled.begin(), troubled.end()), troubled.end());
   return troubled;
 }
 
@@ -133,9 +87,12 @@ std::vector<VertexIndex> troubled_vertices(const Tiling& tiling) {
 void polish(Tiling& tiling) {
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round) {
-    unfold(tiling, 3);
-    flip_to_valences(tiling, 10);
+    const bool folded = !unsound_vertices(tiling).empty();
+    if (folded) unfold(tiling, 3);
+    const std::size_t flips = flip_to_valences(tiling, 10);
     const ValenceRepair repair = repair_valences(tiling);
+    // Edges are even, and nothing has changed since.
+    if (round > 0 && !folded && flips == 0 && repair.flips == 0) break;
     settle_on_surface(tiling);
     even_edges(tiling, mean_edge_length(tiling), 150);
     if (round > 0 && repair.flips == 0) break;
@@ -176,6 +133,53 @@ void mend(Tiling& tiling) {
   }
 }
 
+//! A tiling of about this many faces that is annealed from hot; the guide's normals are smoothed to fit.
+Tiling freeze(SurfaceGuide& guide, double spacing, std::size_t faces, const AnnealingSchedule& schedule,
+              ThreadTeam* team) {
+  guide.smooth_normals(normals_length * spacing);
+  Tiling tiling = tiling_of(guide);
+  tiling.team = team;
+  remesh_isotropically(tiling, spacing, 6);
+  reach_faces(tiling, faces);
+  anneal_particles(tiling, spacing, schedule);
+  return tiling;
+}
+
+//! \brief Crystallises at a quarter of the faces, or a quarter of that, and refines, annealing shortly.
+//! \return nothing where a coarse level cannot show the shape without turned or folded triangles
+std::optional<Tiling> freeze_coarse_to_fine(SurfaceGuide& guide, double spacing, int levels,
+                                            const Effort& effort, const CrystalOptions& options) {
+  AnnealingSchedule schedule{effort.coarse_steps, effort.hot, coldest, options.seed};
+  double coarse_spacing = std::ldexp(spacing, levels);
+  Tiling tiling =
+      freeze(guide, coarse_spacing, (options.faces >> (2 * levels + 1)) * 2, schedule, options.team);
+  if (!unsound_vertices(tiling).empty()) return std::nullopt;
+  schedule.steps = effort.fine_steps;
+  schedule.hot = effort.warm;
+  for (int level = levels - 1; level >= 0; --level) {
+    coarse_spacing /= 2;
+    guide.smooth_normals(normals_length * coarse_spacing);
+    split_in_four(tiling);
+    if (tiling.table.live_triangles() > least_large_faces) put_in_order(tiling);
+    if (level == 0) reach_faces(tiling, options.faces);
+    if (unfold(tiling, 10) > 0) return std::nullopt;
+    anneal_particles(tiling, coarse_spacing, schedule);
+    if (level > 0 && !unsound_vertices(tiling).empty()) return std::nullopt;
+  }
+  return tiling;
+}
+
+// In a cell narrower than this, in spacings, vertices meet through two images.
+constexpr double least_width = 3.7;
+
+int deepest_levels(const SurfaceGuide& guide, double spacing, std::size_t faces) {
+  int levels = 0;
+  while ((faces >> (2 * (levels + 1))) >= least_coarse_faces &&
+         guide.space().least_width() > least_width * std::ldexp(spacing, levels + 1))
+    ++levels;
+  return levels;
+}
+
 //! One crystallisation from the seed of the options.
 Tiling crystallise_once(SurfaceGuide& guide, double spacing, const CrystalOptions& options, int& levels) {
   const auto report = [&](std::string_view stage, double share) {
@@ -192,7 +196,7 @@ Tiling crystallise_once(SurfaceGuide& guide, double spacing, const CrystalOption
   if (!tiling) {
     report("crystallising", 0.3);
     const AnnealingSchedule schedule{effort.single_steps, effort.hot, coldest, options.seed};
-    tiling = freeze(guide, spacing, options.faces, schedule);
+    tiling = freeze(guide, spacing, options.faces, schedule, options.team);
   }
   const std::size_t reached = tiling->table.live_triangles();
   if (reached > options.faces + options.faces / 50 + 4)
@@ -234,7 +238,7 @@ CrystalResult crystallise(const TriangleMesh& surface, const CrystalOptions& opt
     result.defects += charge > 0 ? 1 : 0;
     result.bad_valences += charge > 1 ? 1 : 0;
   }
-  result.unsound = count_unsound(*best);
+  result.unsound = unsound_vertices(*best).size();
   result.mesh = to_mesh(*best);
   if (options.progress) options.progress("done", 1);
   return result;

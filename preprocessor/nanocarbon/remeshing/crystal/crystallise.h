@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "nanocarbon/core/quality.h"
+#include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
 namespace nanocarbon::crystal {
@@ -18,6 +19,7 @@ struct CrystalOptions {
   Quality quality = Quality::good;
   //! Seeds that are tried until one leaves no fold and no wrong valence; the best result is kept. At least 1.
   int attempts = 3;
+  ThreadTeam* team = nullptr;  //!< that works on it; may be null
   //! Called now and then with the current stage and the fraction of the work done, 0 to 1.
   std::function<void(std::string_view stage, double share)> progress = {};
 };
@@ -42,7 +44,7 @@ struct CrystalResult {
 //! remaining wrong valences are removed by flips and edge lengths are evened out. If a wrong valence or a
 //! fold remains all the same, more seeds are tried, each of which takes as long.
 //!
-//! Linear in faces; the same for the same seed. Works in any unit.
+//! Linear in faces; the same for the same seed and any number of threads. Works in any unit.
 //!
 //! \param surface an oriented 2-manifold (mesh/formats/load_surface.h), closed or with boundary
 //! \throw UserError (size) where the surface's topology cannot be kept with so few faces

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <vector>
 
+#include "nanocarbon/core/chunks.h"
 #include "nanocarbon/remeshing/crystal/soundness.h"
 
 namespace nanocarbon::crystal {
@@ -38,24 +41,50 @@ int valence_gain(const CornerTable& table, HalfEdgeIndex h) {
          square(d);
 }
 
+//! Whether the angles opposite to an inner edge sum to more than pi.
+bool opposite_angles_are_wide(const Tiling& tiling, HalfEdgeIndex h) {
+  const CornerTable& table = tiling.table;
+  const auto& p = tiling.points;
+  const Vec3& a = p[table.origin(h)];
+  const auto beside = [&](VertexIndex v) { return tiling.space().beside(p[v], a); };
+  const Vec3 b = beside(table.target(h)), c = beside(table.apex(h)), d = beside(table.apex(table.twin(h)));
+  if ((a - c).dot(b - c) >= 0 && (a - d).dot(b - d) >= 0) return false;
+  return cotangent(a, b, c) + cotangent(a, b, d) < -1e-6;
+}
+
+bool is_inner_edge(const CornerTable& table, HalfEdgeIndex h) {
+  return table.is_edge(h) && table.twin(h) != no_half_edge;
+}
+
 }  // namespace
 
+// As going through all half-edges in order, pass by pass, but only those are looked at that can have wide angles:
+// those that have them at the start, and sides of triangles that a flip made.
 std::size_t flip_to_delaunay(Tiling& tiling, int passes) {
   CornerTable& table = tiling.table;
-  const auto& p = tiling.points;
+  std::vector<std::vector<HalfEdgeIndex>> found(chunks_of(table.half_edges()));
+  for_chunks(tiling.team, table.half_edges(), [&](std::size_t begin, std::size_t end) {
+    for (auto h = static_cast<HalfEdgeIndex>(begin); h < end; ++h)
+      if (is_inner_edge(table, h) && opposite_angles_are_wide(tiling, h))
+        found[begin / chunk_size].push_back(h);
+  });
+  std::set<HalfEdgeIndex> candidates;
+  for (const std::vector<HalfEdgeIndex>& list : found) candidates.insert(list.begin(), list.end());
   std::size_t flips = 0;
-  for (int pass = 0; pass < passes; ++pass) {
+  for (int pass = 0; pass < passes && !candidates.empty(); ++pass) {
     std::size_t made = 0;
-    for (HalfEdgeIndex h = 0; h < table.half_edges(); ++h) {
-      if (!table.is_edge(h) || table.twin(h) == no_half_edge) continue;
-      const Vec3& a = p[table.origin(h)];
-      const auto beside = [&](VertexIndex v) { return tiling.space().beside(p[v], a); };
-      const Vec3 b = beside(table.target(h));
-      const double sum =
-          cotangent(a, b, beside(table.apex(h))) + cotangent(a, b, beside(table.apex(table.twin(h))));
-      if (sum >= -1e-6 || !flip_is_sound(tiling, h)) continue;
+    for (auto next = candidates.begin(); next != candidates.end(); ++next) {
+      const HalfEdgeIndex h = *next;
+      if (!is_inner_edge(table, h) || !opposite_angles_are_wide(tiling, h) || !flip_is_sound(tiling, h))
+        continue;
+      const HalfEdgeIndex o = table.twin(h);
       table.flip(h);
       ++made;
+      for (const HalfEdgeIndex first : {h - h % 3, o - o % 3})
+        for (HalfEdgeIndex k = first; k < first + 3; ++k) {
+          candidates.insert(k);
+          if (table.twin(k) != no_half_edge) candidates.insert(table.twin(k));
+        }
     }
     flips += made;
     if (made == 0) break;

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "nanocarbon/core/chunks.h"
+
 namespace nanocarbon::crystal {
 namespace {
 
@@ -91,6 +93,19 @@ double soundness_around(const Tiling& tiling, VertexIndex v) {
     least = std::min(least, left.dot(right) - creased_below);
   });
   return least;
+}
+
+std::vector<VertexIndex> unsound_vertices(const Tiling& tiling) {
+  const std::size_t vertices = tiling.table.vertices();
+  std::vector<std::vector<VertexIndex>> found(chunks_of(vertices));
+  for_chunks(tiling.team, vertices, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<VertexIndex>(begin); v < end; ++v)
+      if (tiling.table.vertex_alive(v) && soundness_around(tiling, v) < 0)
+        found[begin / chunk_size].push_back(v);
+  });
+  std::vector<VertexIndex> all;
+  for (const std::vector<VertexIndex>& list : found) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
 bool flip_is_sound(const Tiling& tiling, HalfEdgeIndex h) {

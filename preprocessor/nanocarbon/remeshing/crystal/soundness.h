@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "nanocarbon/remeshing/crystal/tiling.h"
 
@@ -33,6 +34,9 @@ Vec3 unit_normal(const Space& space, const Vec3& a, const Vec3& b, const Vec3& c
 
 //! How far the triangles around a vertex are from being turned or folded; negative where one is.
 double soundness_around(const Tiling& tiling, VertexIndex v);
+
+//! Vertices with an unsound triangle around them, rising.
+std::vector<VertexIndex> unsound_vertices(const Tiling& tiling);
 
 //! Whether flipping an edge makes no double edge and neither turns nor folds triangles.
 bool flip_is_sound(const Tiling& tiling, HalfEdgeIndex h);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nanocarbon/core/chunks.h"
+
 namespace nanocarbon::crystal {
 
 Tiling tiling_of(const SurfaceGuide& guide) {
@@ -40,17 +42,19 @@ void place_vertex(Tiling& tiling, VertexIndex v, const Vec3& p) {
 
 void settle_on_surface(Tiling& tiling) {
   const SurfaceGuide& guide = *tiling.guide;
-  for (VertexIndex v = 0; v < tiling.points.size(); ++v) {
-    if (!tiling.table.vertex_alive(v)) continue;
-    if (tiling.table.on_boundary(v)) {
-      place_vertex(tiling, v, tiling.points[v]);
-      continue;
+  for_chunks(tiling.team, tiling.points.size(), [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<VertexIndex>(begin); v < end; ++v) {
+      if (!tiling.table.vertex_alive(v)) continue;
+      if (tiling.table.on_boundary(v)) {
+        place_vertex(tiling, v, tiling.points[v]);
+        continue;
+      }
+      const Foot foot = guide.nearest(tiling.points[v], tiling.normals[v], tiling.places[v]);
+      tiling.points[v] = foot.point;
+      tiling.normals[v] = guide.normal(foot);
+      tiling.places[v] = foot.triangle;
     }
-    const Foot foot = guide.nearest(tiling.points[v], tiling.normals[v], tiling.places[v]);
-    tiling.points[v] = foot.point;
-    tiling.normals[v] = guide.normal(foot);
-    tiling.places[v] = foot.triangle;
-  }
+  });
 }
 
 void compact(Tiling& tiling) {
@@ -63,6 +67,41 @@ void compact(Tiling& tiling) {
   tiling.points.resize(former.size());
   tiling.normals.resize(former.size());
   tiling.places.resize(former.size());
+}
+
+void put_in_order(Tiling& tiling) {
+  const auto count = static_cast<VertexIndex>(tiling.table.vertices());
+  std::vector<VertexIndex> order, place(count, free_vertex);
+  order.reserve(count);
+  const auto reach = [&](VertexIndex v) {
+    if (place[v] != free_vertex) return;
+    place[v] = static_cast<VertexIndex>(order.size());
+    order.push_back(v);
+  };
+  for (VertexIndex start = 0; start < count; ++start) {
+    std::size_t next = order.size();
+    for (reach(start); next < order.size(); ++next) tiling.table.for_neighbours(order[next], reach);
+  }
+  // Triangles by their first vertex.
+  std::vector<Triangle> triangles = tiling.table.triangles();
+  for (Triangle& t : triangles)
+    for (VertexIndex& v : t) v = place[v];
+  std::vector<std::uint32_t> begin(count + 1, 0);
+  const auto first = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
+  for (const Triangle& t : triangles) ++begin[first(t) + 1];
+  for (VertexIndex v = 0; v < count; ++v) begin[v + 1] += begin[v];
+  TriangleMesh mesh;
+  mesh.triangles.resize(triangles.size());
+  for (const Triangle& t : triangles) mesh.triangles[begin[first(t)]++] = t;
+  mesh.points.resize(count);
+  tiling.table = CornerTable(mesh);
+  const auto permute = [&](auto& values) {
+    auto former = values;
+    for (VertexIndex v = 0; v < count; ++v) values[v] = former[order[v]];
+  };
+  permute(tiling.points);
+  permute(tiling.normals);
+  permute(tiling.places);
 }
 
 TriangleMesh to_mesh(const Tiling& tiling) {

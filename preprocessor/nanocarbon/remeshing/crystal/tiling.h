@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
+#include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/remeshing/crystal/corner_table.h"
 #include "nanocarbon/remeshing/crystal/surface_guide.h"
 
 namespace nanocarbon::crystal {
+
+inline constexpr VertexIndex free_vertex = std::numeric_limits<VertexIndex>::max();
 
 //! A triangulation whose vertices are tied to a surface: the state that crystallisation works on.
 struct Tiling {
@@ -18,6 +22,7 @@ struct Tiling {
   //! Where on the guide a point is: a triangle for inner vertices, a boundary half-edge for boundary
   //! vertices.
   std::vector<std::uint32_t> places;
+  ThreadTeam* team = nullptr;  //!< that works on it; may be null
 
   const Space& space() const { return guide->space(); }
   //! What leads from one vertex to another.
@@ -35,6 +40,10 @@ void place_vertex(Tiling& tiling, VertexIndex v, const Vec3& p);
 void settle_on_surface(Tiling& tiling);
 //! Drops the holes that collapses left.
 void compact(Tiling& tiling);
+//! \brief Renumbers vertices and triangles so that what follows each other is near each other on the surface.
+//! \details Breadth first (Cuthill and McKee 1969): long arrays are then read nearly in a row.
+//! \pre compact
+void put_in_order(Tiling& tiling);
 TriangleMesh to_mesh(const Tiling& tiling);
 
 double mean_edge_length(const Tiling& tiling);

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "nanocarbon/remeshing/crystal/soundness.h"
 
@@ -114,39 +117,68 @@ void split_in_four(Tiling& tiling) {
   tiling.table = CornerTable(fine);
 }
 
-std::size_t unfold(Tiling& tiling, int rounds) {
-  CornerTable& table = tiling.table;
-  std::size_t left = 0;
-  for (int round = 0; round < rounds; ++round) {
-    left = 0;
-    for (VertexIndex v = 0; v < table.vertices(); ++v) {
-      if (!table.vertex_alive(v)) continue;
-      const double before = soundness_around(tiling, v);
-      if (before >= 0) continue;
-      ++left;
-      relax_vertex(tiling, v, 1.0);
-      std::vector<HalfEdgeIndex> candidates;
-      table.for_outgoing(v, [&](HalfEdgeIndex h) {
-        candidates.insert(candidates.end(), {h, CornerTable::next(h)});
+namespace {
+
+//! Adds the vertices within so many edges of one.
+void add_surroundings(const CornerTable& table, VertexIndex v, int reach, std::set<VertexIndex>& vertices) {
+  std::vector<VertexIndex> shell = {v};
+  std::set<VertexIndex> seen = {v};
+  for (int step = 0; step < reach; ++step) {
+    std::vector<VertexIndex> next;
+    for (const VertexIndex u : shell)
+      table.for_neighbours(u, [&](VertexIndex w) {
+        if (seen.insert(w).second) next.push_back(w);
       });
-      for (const HalfEdgeIndex h : candidates) {
-        if (soundness_around(tiling, v) >= 0) break;
-        const HalfEdgeIndex o = table.twin(h);
-        if (!flip_is_sound(tiling, h)) continue;
-        const std::array<VertexIndex, 4> corners = {table.origin(h), table.target(h), table.apex(h),
-                                                    table.apex(o)};
-        const auto least = [&] {
-          double s = 1;
-          for (const VertexIndex c : corners) s = std::min(s, soundness_around(tiling, c));
-          return s;
-        };
-        const double was = least();
-        table.flip(h);
-        if (least() > was) break;
-        table.flip(CornerTable::next(h));
-      }
+    shell = std::move(next);
+  }
+  vertices.merge(seen);
+}
+
+//! Moves a vertex and flips edges around it until it is sound, or nothing helps.
+void unfold_around(Tiling& tiling, VertexIndex v) {
+  CornerTable& table = tiling.table;
+  relax_vertex(tiling, v, 1.0);
+  std::vector<HalfEdgeIndex> candidates;
+  table.for_outgoing(v, [&](HalfEdgeIndex h) {
+    candidates.insert(candidates.end(), {h, CornerTable::next(h)});
+  });
+  for (const HalfEdgeIndex h : candidates) {
+    if (soundness_around(tiling, v) >= 0) break;
+    const HalfEdgeIndex o = table.twin(h);
+    if (!flip_is_sound(tiling, h)) continue;
+    const std::array<VertexIndex, 4> corners = {table.origin(h), table.target(h), table.apex(h),
+                                                table.apex(o)};
+    const auto least = [&] {
+      double s = 1;
+      for (const VertexIndex c : corners) s = std::min(s, soundness_around(tiling, c));
+      return s;
+    };
+    const double was = least();
+    table.flip(h);
+    if (least() > was) break;
+    table.flip(CornerTable::next(h));
+  }
+}
+
+}  // namespace
+
+// As going through all vertices in order, round by round; only those are looked at that are unsound at the start
+// or near one that was.
+std::size_t unfold(Tiling& tiling, int rounds) {
+  constexpr int reach =
+      4;  // edges: as far as a move and flips around a vertex change the soundness of others
+  const std::vector<VertexIndex> unsound = unsound_vertices(tiling);
+  std::set<VertexIndex> candidates(unsound.begin(), unsound.end());
+  std::size_t left = candidates.size();
+  for (int round = 0; round < rounds && left > 0; ++round) {
+    left = 0;
+    for (auto next = candidates.begin(); next != candidates.end(); ++next) {
+      const VertexIndex v = *next;
+      if (soundness_around(tiling, v) >= 0) continue;
+      ++left;
+      unfold_around(tiling, v);
+      add_surroundings(tiling.table, v, reach, candidates);
     }
-    if (left == 0) break;
   }
   return left;
 }
