@@ -9,11 +9,13 @@
 #include <optional>
 #include <vector>
 
+#include "nanocarbon/core/chunks.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/remeshing/crystal/flips.h"
 #include "nanocarbon/remeshing/crystal/isotropic.h"
 #include "nanocarbon/remeshing/crystal/particle_annealing.h"
+#include "nanocarbon/remeshing/crystal/patches.h"
 #include "nanocarbon/remeshing/crystal/soundness.h"
 #include "nanocarbon/remeshing/crystal/surface_guide.h"
 #include "nanocarbon/remeshing/crystal/tiling.h"
@@ -33,8 +35,9 @@ constexpr std::size_t least_coarse_faces = 1200;
 
 constexpr std::uint64_t seed_step = 1000003;
 
-// With more triangles than this vertices are put in order along the surface.
-constexpr std::size_t least_large_faces = 20000;
+// With more triangles than this a wrong valence or a fold is mended with what surrounds it alone, by particles
+// that are annealed for so many steps.
+constexpr std::size_t least_large_faces = 20000, patch_steps = 1500;
 
 //! Steps of annealing and temperatures for a quality. Refined levels stay below melting: they keep their
 //! order.
@@ -76,7 +79,7 @@ void reach_faces(Tiling& tiling, std::size_t faces) {
 std::vector<VertexIndex> troubled_vertices(const Tiling& tiling) {
   std::vector<VertexIndex> troubled = unsound_vertices(tiling);
   for (VertexIndex v = 0; v < tiling.table.vertices(); ++v)
-    if (!tiling.table.on_boundary(v) && std::abs(tiling.table.valence(v) - 6) > 1)
+    if (!tiling.is_held(v) && !tiling.table.on_boundary(v) && std::abs(tiling.table.valence(v) - 6) > 1)
       troubled.push_back(v);
   std::sort(troubled.begin(), troubled.end());
   troubled.erase(std::unique(troubled.begin(), troubled.end()), troubled.end());
@@ -133,6 +136,32 @@ void mend(Tiling& tiling) {
   }
 }
 
+//! Mends surroundings of wrong valences and folds one by one, with as many seeds as it takes, within reason.
+void mend_in_patches(Tiling& tiling, double spacing, std::uint64_t seed) {
+  constexpr int rounds = 3, reach = 12;
+  constexpr std::uint64_t seeds = 6;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<VertexIndex> troubled = troubled_vertices(tiling);
+    if (troubled.empty()) return;
+    std::vector<Patch> patches = surroundings(tiling, troubled, reach);
+    for_each_index(tiling.team, patches.size(), [&](std::size_t k) {
+      const Tiling as_it_was = patches[k].tiling;
+      std::size_t least = troubled_vertices(as_it_was).size();
+      for (std::uint64_t attempt = 0; attempt < seeds && least > 0; ++attempt) {
+        Tiling trial = as_it_was;
+        if (attempt > 0) anneal_particles(trial, spacing, {patch_steps, 1.2, coldest, seed + attempt});
+        polish(trial);
+        mend(trial);
+        const std::size_t left = troubled_vertices(trial).size();
+        if (left >= least) continue;
+        least = left;
+        patches[k].tiling = std::move(trial);
+      }
+    });
+    replace(tiling, patches);
+  }
+}
+
 //! A tiling of about this many faces that is annealed from hot; the guide's normals are smoothed to fit.
 Tiling freeze(SurfaceGuide& guide, double spacing, std::size_t faces, const AnnealingSchedule& schedule,
               ThreadTeam* team) {
@@ -160,11 +189,18 @@ std::optional<Tiling> freeze_coarse_to_fine(SurfaceGuide& guide, double spacing,
     coarse_spacing /= 2;
     guide.smooth_normals(normals_length * coarse_spacing);
     split_in_four(tiling);
-    if (tiling.table.live_triangles() > least_large_faces) put_in_order(tiling);
+    const bool large = tiling.table.live_triangles() > least_large_faces;
+    if (large) put_in_order(tiling);
     if (level == 0) reach_faces(tiling, options.faces);
-    if (unfold(tiling, 10) > 0) return std::nullopt;
+    // A single place is no reason to begin again with all.
+    const auto unfolded = [&] {
+      if (unfold(tiling, 10) == 0) return true;
+      if (large) mend_in_patches(tiling, coarse_spacing, options.seed);
+      return large && unsound_vertices(tiling).empty();
+    };
+    if (!unfolded()) return std::nullopt;
     anneal_particles(tiling, coarse_spacing, schedule);
-    if (level > 0 && !unsound_vertices(tiling).empty()) return std::nullopt;
+    if (level > 0 && !unsound_vertices(tiling).empty() && !(large && unfolded())) return std::nullopt;
   }
   return tiling;
 }
@@ -206,7 +242,10 @@ Tiling crystallise_once(SurfaceGuide& guide, double spacing, const CrystalOption
                                 options.faces, reached));
   report("evening edges", 0.9);
   polish(*tiling);
-  mend(*tiling);
+  if (tiling->table.live_triangles() > least_large_faces)
+    mend_in_patches(*tiling, spacing, options.seed);
+  else
+    mend(*tiling);
   return *std::move(tiling);
 }
 
@@ -226,11 +265,13 @@ CrystalResult crystallise(const TriangleMesh& surface, const CrystalOptions& opt
     int levels = 0;
     Tiling tiling = crystallise_once(guide, result.spacing, trial, levels);
     const std::size_t troubled = troubled_vertices(tiling).size();
+    const bool large = tiling.table.live_triangles() > least_large_faces;
     if (!best || troubled < least) {
       best = std::move(tiling);
       least = troubled;
       result.levels = levels;
     }
+    if (large) break;
     trial.seed += seed_step;
   }
   for (VertexIndex v = 0; v < best->table.vertices(); ++v) {

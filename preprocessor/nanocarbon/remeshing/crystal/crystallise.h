@@ -42,7 +42,8 @@ struct CrystalResult {
 //! crystal. Where the shape allows, this is done with a quarter of the faces (or a quarter of that), and each
 //! triangle is split in four: no new defects, and order over longer ranges than one level reaches. Then
 //! remaining wrong valences are removed by flips and edge lengths are evened out. If a wrong valence or a
-//! fold remains all the same, more seeds are tried, each of which takes as long.
+//! fold remains all the same, more seeds are tried, each of which takes as long; in large tilings only around
+//! it.
 //!
 //! Linear in faces; the same for the same seed and any number of threads. Works in any unit.
 //!

@@ -52,6 +52,10 @@ bool try_collapse(Tiling& tiling, HalfEdgeIndex h, double longest) {
   if (table.on_boundary(table.origin(h)) && !table.on_boundary(table.target(h))) h = table.twin(h);
   const VertexIndex a = table.origin(h), b = table.target(h);
   if (!table.can_collapse(h)) return false;
+  for (const HalfEdgeIndex side : {h, table.twin(h)})
+    if (side != no_half_edge && (tiling.is_held(table.origin(side)) || tiling.is_held(table.target(side)) ||
+                                 tiling.is_held(table.apex(side))))
+      return false;
   const double before = std::min(soundness_around(tiling, a), soundness_around(tiling, b));
   const Vec3 old_point = tiling.points[b], old_normal = tiling.normals[b];
   const std::uint32_t old_place = tiling.places[b];

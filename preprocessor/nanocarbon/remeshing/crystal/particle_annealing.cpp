@@ -248,6 +248,12 @@ void remember(const Tiling& tiling, Saved& saved) {
   });
 }
 
+//! What held vertices do not follow.
+void hold(const Tiling& tiling, std::vector<Vec3>& velocities) {
+  for (VertexIndex v = 0; v < tiling.held.size(); ++v)
+    if (tiling.is_held(v)) velocities[v].setZero();
+}
+
 }  // namespace
 
 AnnealingResult anneal_particles(Tiling& tiling, double spacing, const AnnealingSchedule& schedule) {
@@ -256,6 +262,7 @@ AnnealingResult anneal_particles(Tiling& tiling, double spacing, const Annealing
   const std::size_t n = tiling.points.size();
   std::vector<Vec3> velocities(n, Vec3::Zero()), forces(n);
   kick(velocities, 0, std::sqrt(schedule.hot), random, tiling.team);
+  hold(tiling, velocities);
   Neighbours neighbours;
   list_neighbours(tiling, neighbours);
   Saved before;
@@ -265,6 +272,7 @@ AnnealingResult anneal_particles(Tiling& tiling, double spacing, const Annealing
     pair_forces(neighbours, tiling, spacing, forces);
     for_chunks(tiling.team, n, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
+        if (tiling.is_held(static_cast<VertexIndex>(i))) continue;
         Vec3& v = velocities[i];
         v += time_step * forces[i];
         const Vec3& normal = tiling.normals[i];
@@ -284,7 +292,8 @@ AnnealingResult anneal_particles(Tiling& tiling, double spacing, const Annealing
     const double progress = static_cast<double>(step + 1) / static_cast<double>(schedule.steps);
     const double temperature = schedule.hot + (schedule.cold - schedule.hot) * progress;
     kick(velocities, keep, std::sqrt(temperature * (1 - keep * keep)), random, tiling.team);
-    }
+    hold(tiling, velocities);
+  }
   return result;
 }
 
@@ -307,6 +316,7 @@ double even_edges(Tiling& tiling, double spacing, std::size_t steps) {
     for_chunks(tiling.team, n, [&](std::size_t begin, std::size_t end) {
       Sums& sums = parts[begin / chunk_size];
       for (std::size_t i = begin; i < end; ++i) {
+        if (tiling.is_held(static_cast<VertexIndex>(i))) forces[i].setZero();
         forces[i] -= forces[i].dot(tiling.normals[i]) * tiling.normals[i];
         velocities[i] -= velocities[i].dot(tiling.normals[i]) * tiling.normals[i];
         sums.power += forces[i].dot(velocities[i]);

@@ -100,7 +100,7 @@ std::vector<VertexIndex> unsound_vertices(const Tiling& tiling) {
   std::vector<std::vector<VertexIndex>> found(chunks_of(vertices));
   for_chunks(tiling.team, vertices, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<VertexIndex>(begin); v < end; ++v)
-      if (tiling.table.vertex_alive(v) && soundness_around(tiling, v) < 0)
+      if (tiling.table.vertex_alive(v) && !tiling.is_held(v) && soundness_around(tiling, v) < 0)
         found[begin / chunk_size].push_back(v);
   });
   std::vector<VertexIndex> all;
@@ -113,6 +113,7 @@ bool flip_is_sound(const Tiling& tiling, HalfEdgeIndex h) {
   if (!table.can_flip(h)) return false;
   const HalfEdgeIndex o = table.twin(h);
   const VertexIndex a = table.origin(h), b = table.target(h), c = table.apex(h), d = table.apex(o);
+  if (tiling.is_held(a) || tiling.is_held(b) || tiling.is_held(c) || tiling.is_held(d)) return false;
   const int least_a = table.on_boundary(a) ? 3 : 4, least_b = table.on_boundary(b) ? 3 : 4;
   if (table.valence(a) < least_a || table.valence(b) < least_b) return false;
   if (makes_crease(tiling, h)) return false;

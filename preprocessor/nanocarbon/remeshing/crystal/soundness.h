@@ -35,10 +35,10 @@ Vec3 unit_normal(const Space& space, const Vec3& a, const Vec3& b, const Vec3& c
 //! How far the triangles around a vertex are from being turned or folded; negative where one is.
 double soundness_around(const Tiling& tiling, VertexIndex v);
 
-//! Vertices with an unsound triangle around them, rising.
+//! Vertices with an unsound triangle around them that are not held, rising.
 std::vector<VertexIndex> unsound_vertices(const Tiling& tiling);
 
-//! Whether flipping an edge makes no double edge and neither turns nor folds triangles.
+//! Whether flipping an edge makes no double edge, neither turns nor folds triangles, and changes no held vertex.
 bool flip_is_sound(const Tiling& tiling, HalfEdgeIndex h);
 
 //! Whether collapsing an edge to the point of its target turns or folds no triangle, or makes nothing worse

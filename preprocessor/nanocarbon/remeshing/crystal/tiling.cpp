@@ -26,6 +26,7 @@ Tiling tiling_of(const SurfaceGuide& guide) {
 }
 
 void place_vertex(Tiling& tiling, VertexIndex v, const Vec3& p) {
+  if (tiling.is_held(v)) return;
   const SurfaceGuide& guide = *tiling.guide;
   if (tiling.table.on_boundary(v)) {
     const BoundaryFoot foot = guide.follow_boundary(p, tiling.places[v]);
@@ -44,7 +45,7 @@ void settle_on_surface(Tiling& tiling) {
   const SurfaceGuide& guide = *tiling.guide;
   for_chunks(tiling.team, tiling.points.size(), [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<VertexIndex>(begin); v < end; ++v) {
-      if (!tiling.table.vertex_alive(v)) continue;
+      if (!tiling.table.vertex_alive(v) || tiling.is_held(v)) continue;
       if (tiling.table.on_boundary(v)) {
         place_vertex(tiling, v, tiling.points[v]);
         continue;
@@ -63,7 +64,9 @@ void compact(Tiling& tiling) {
     tiling.points[k] = tiling.points[former[k]];
     tiling.normals[k] = tiling.normals[former[k]];
     tiling.places[k] = tiling.places[former[k]];
+    if (!tiling.held.empty()) tiling.held[k] = tiling.held[former[k]];
   }
+  if (!tiling.held.empty()) tiling.held.resize(former.size());
   tiling.points.resize(former.size());
   tiling.normals.resize(former.size());
   tiling.places.resize(former.size());

@@ -22,8 +22,12 @@ struct Tiling {
   //! Where on the guide a point is: a triangle for inner vertices, a boundary half-edge for boundary
   //! vertices.
   std::vector<std::uint32_t> places;
+  //! Of a part of a tiling, the whole's numbers of vertices that stay as they are, with their valence;
+  //! free_vertex for others. Empty: none is held.
+  std::vector<VertexIndex> held = {};
   ThreadTeam* team = nullptr;  //!< that works on it; may be null
 
+  bool is_held(VertexIndex v) const { return !held.empty() && held[v] != free_vertex; }
   const Space& space() const { return guide->space(); }
   //! What leads from one vertex to another.
   Vec3 between(VertexIndex from, VertexIndex to) const {
@@ -42,7 +46,7 @@ void settle_on_surface(Tiling& tiling);
 void compact(Tiling& tiling);
 //! \brief Renumbers vertices and triangles so that what follows each other is near each other on the surface.
 //! \details Breadth first (Cuthill and McKee 1969): long arrays are then read nearly in a row.
-//! \pre compact
+//! \pre compact; no vertex is held
 void put_in_order(Tiling& tiling);
 TriangleMesh to_mesh(const Tiling& tiling);
 

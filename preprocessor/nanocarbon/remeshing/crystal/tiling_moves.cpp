@@ -12,6 +12,7 @@
 namespace nanocarbon::crystal {
 
 bool relax_vertex(Tiling& tiling, VertexIndex v, double share) {
+  if (tiling.is_held(v)) return false;
   const CornerTable& table = tiling.table;
   Vec3 mean = Vec3::Zero();
   int count = 0;
@@ -64,6 +65,7 @@ void add_vertex(Tiling& tiling, const PlacedVertex& vertex) {
   tiling.points.push_back(vertex.point);
   tiling.normals.push_back(vertex.normal);
   tiling.places.push_back(vertex.place);
+  if (!tiling.held.empty()) tiling.held.push_back(free_vertex);
 }
 
 }  // namespace
@@ -73,6 +75,8 @@ bool split_edge(Tiling& tiling, HalfEdgeIndex h) {
   const CornerTable& table = tiling.table;
   const bool boundary = table.twin(h) == no_half_edge;
   const VertexIndex a = table.origin(h), b = table.target(h);
+  for (const HalfEdgeIndex side : {h, table.twin(h)})
+    if (side != no_half_edge && tiling.is_held(table.apex(side))) return false;
   const PlacedVertex middle = between(tiling, a, b, boundary);
   const Corner m = {middle.point, middle.normal, boundary ? middle.place / 3 : middle.place};
   double before = 1, after = 1;
@@ -174,7 +178,7 @@ std::size_t unfold(Tiling& tiling, int rounds) {
     left = 0;
     for (auto next = candidates.begin(); next != candidates.end(); ++next) {
       const VertexIndex v = *next;
-      if (soundness_around(tiling, v) >= 0) continue;
+      if (tiling.is_held(v) || soundness_around(tiling, v) >= 0) continue;
       ++left;
       unfold_around(tiling, v);
       add_surroundings(tiling.table, v, reach, candidates);

@@ -11,7 +11,8 @@ namespace nanocarbon::crystal {
 //! on the boundary), in the tangent plane, unless that would turn or fold triangles.
 //! \return whether it moved
 bool relax_vertex(Tiling& tiling, VertexIndex v, double share);
-//! Splits an edge at its midpoint, moved to the surface, unless that would turn a triangle.
+//! Splits an edge at its midpoint, moved to the surface, unless that would turn a triangle or
+//! change the valence of a held vertex.
 //! \return whether it did
 bool split_edge(Tiling& tiling, HalfEdgeIndex h);
 //! Splits every triangle in four. New inner vertices have valence 6, others keep theirs.

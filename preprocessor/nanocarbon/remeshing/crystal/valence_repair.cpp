@@ -84,7 +84,7 @@ ValenceRepair repair_valences(Tiling& tiling) {
     result.left = 0;
     bool changed = false;
     for (VertexIndex v = 0; v < tiling.table.vertices(); ++v) {
-      if (!tiling.table.vertex_alive(v) || penalty(tiling.table, v) <= 1) continue;
+      if (!tiling.table.vertex_alive(v) || tiling.is_held(v) || penalty(tiling.table, v) <= 1) continue;
       for (int depth = 1; depth <= deepest && penalty(tiling.table, v) > 1; ++depth)
         changed = improve(tiling, edges_near(tiling.table, v), 0, depth, result.flips) || changed;
       if (!tiling.table.on_boundary(v) && penalty(tiling.table, v) > 1) ++result.left;
