@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
+#include "nanocarbon/annealing/network_guards.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/minimisation/lbfgs.h"
 #include "nanocarbon/structures/fullerene.h"
@@ -111,6 +113,67 @@ TEST(FixedBondRebo2, AtomsShareTheEnergyOfTheirBonds) {
   // Half of the energy but for the dihedrals of the cut bonds, which are small.
   const double all = whole.evaluate(molecule.positions, unused);
   EXPECT_NEAR(part.evaluate(molecule.positions, unused), 0.5 * all, 0.01 * std::abs(all));
+}
+
+// Molecules of several chunks, where only what is around such atoms is evaluated bond by bond.
+class FarStretchedAtoms : public testing::Test {
+ protected:
+  FarStretchedAtoms() : molecule(rattled(structures::fullerene(7, 7), 0.03)) {
+    for (const AtomIndex a : {5u, 6u, 900u, 2047u, 2048u, 2900u}) molecule.positions[a] *= 1.05;
+    molecule.positions[1500] *= 0.94;
+  }
+  void set_graph(bool hydrogen = false) {
+    FixedBondGraph graph = fixed_bond_graph(molecule);
+    graph.hydrogen = hydrogen;
+    rebo2.set_graph(graph);
+    ASSERT_GT(rebo2.chunks().count(), 1u);
+  }
+  double longest_bond() const {
+    double longest = 0;
+    for (const Bond& b : molecule.bonds)
+      longest = std::max(longest, (molecule.positions[b.first] - molecule.positions[b.second]).norm());
+    return longest;
+  }
+
+  Molecule molecule;
+  FixedBondRebo2 rebo2;
+};
+
+TEST_F(FarStretchedAtoms, AgreeWithBondByBond) {
+  ASSERT_GT(longest_bond(), 2.0);
+  set_graph();
+  expect_both_ways_agree(rebo2, molecule.positions);
+}
+
+TEST_F(FarStretchedAtoms, AgreeWithBondByBondNextToBoundaries) {
+  std::erase_if(molecule.bonds, [](const Bond& b) { return (b.first + b.second) % 11 == 0; });
+  for (const bool hydrogen : {false, true}) {
+    set_graph(hydrogen);
+    expect_both_ways_agree(rebo2, molecule.positions);
+  }
+}
+
+TEST_F(FarStretchedAtoms, GuardsAreTheSameWhereOnlyStrainedAtomsAreLookedAt) {
+  std::erase_if(molecule.bonds, [](const Bond& b) { return (b.first + b.second) % 11 == 0; });
+  set_graph();
+  std::vector<Vec3> together(molecule.size(), Vec3::Zero()), apart = together;
+  const double guarded = rebo2.evaluate_guarded(molecule.positions, together);
+  const double guards = add_guards(rebo2.graph(), molecule.positions, apart);
+  EXPECT_GT(guards, 0.1);
+  EXPECT_NEAR(guarded, guards + rebo2.evaluate(molecule.positions, apart), 1e-8);
+  for (std::size_t a = 0; a < molecule.size(); ++a) EXPECT_LT((together[a] - apart[a]).norm(), 1e-9) << a;
+}
+
+TEST_F(FarStretchedAtoms, AnyNumberOfThreadsGivesTheSameBits) {
+  set_graph();
+  std::vector<Vec3> alone(molecule.size(), Vec3::Zero());
+  const double energy = rebo2.evaluate_guarded(molecule.positions, alone);
+  for (const unsigned threads : {2u, 3u}) {
+    ThreadTeam team(threads);
+    std::vector<Vec3> shared(molecule.size(), Vec3::Zero());
+    EXPECT_EQ(rebo2.evaluate_guarded(molecule.positions, shared, &team), energy);
+    EXPECT_EQ(shared, alone);
+  }
 }
 
 TEST(FixedBondRebo2, AFourthBondIsRefused) {

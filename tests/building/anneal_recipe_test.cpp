@@ -45,7 +45,8 @@ TEST(Anneal, ADraftIsAnIntactMinimumOfRebo2) {
 
 TEST(Anneal, GoodLeavesASphereItsTwelvePentagons) {
   rebo2::Rebo2 rebo2;
-  const AnnealResult result = anneal(sphere_for(320), 320, rebo2, {.threads = 2});
+  ThreadTeam team(2);
+  const AnnealResult result = anneal(sphere_for(320), 320, rebo2, {.running = {&team}});
   const Molecule& molecule = result.minimum.molecule;
   EXPECT_EQ(test::rings_of(molecule.rings, 5), 12u);
   EXPECT_EQ(test::rings_of(molecule.rings, 6), molecule.rings.size() - 12);

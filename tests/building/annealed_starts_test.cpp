@@ -34,8 +34,9 @@ std::size_t rings_of(const AnnealedStart& start, std::size_t size) {
 }
 
 TEST(RefinedStart, HasFourTimesTheAtomsAndTheDefectsOfTheCoarseOne) {
+  ThreadTeam team(2);
   const auto start = refined_start(level_of(test::unit_sphere(4), atoms / 4), 1, sphere(atoms), atoms,
-                                   std::numeric_limits<double>::infinity(), {.threads = 2});
+                                   std::numeric_limits<double>::infinity(), {.running = {&team}});
   ASSERT_TRUE(start.has_value());
   EXPECT_EQ(start->refinements, 1);
   EXPECT_EQ(start->level.state.positions.size(), atoms);
@@ -52,8 +53,9 @@ TEST(RefinedStart, IsNoneWhereTheWholeSizeHasLessEnergyWithoutAnnealing) {
 }
 
 TEST(AnnealedAtFullSize, LeavesARoughSphereItsTwelvePentagons) {
+  ThreadTeam team(2);
   const annealing::AnnealingLevel rough = level_of(test::rough_sphere(4, 1, 0.2), 320);
-  const AnnealedStart start = annealed_at_full_size(rough, sphere(320), 320, true, {.threads = 2});
+  const AnnealedStart start = annealed_at_full_size(rough, sphere(320), 320, true, {.running = {&team}});
   EXPECT_EQ(start.refinements, 0);
   EXPECT_EQ(rings_of(start, 5), 12u);
   EXPECT_EQ(rings_of(start, 7), 0u);
@@ -64,9 +66,11 @@ TEST(AnnealedAtFullSize, LeavesARoughSphereItsTwelvePentagons) {
 // A quarter of the atoms finds the twelve pentagons of a sphere; a rough start at full size keeps pairs of
 // defects, and one without any cannot be beaten.
 TEST(BestStart, IsTheRefinedOneOrTheOneAtFullSize) {
+  ThreadTeam team(2);
   for (const bool rough : {true, false}) {
     const TriangleMesh triangulation = rough ? test::rough_sphere(8, 1, 0.2) : test::unit_sphere(8);
-    const BestStart best = best_start(level_of(triangulation, atoms), sphere(atoms), atoms, {.threads = 2});
+    const BestStart best =
+        best_start(level_of(triangulation, atoms), sphere(atoms), atoms, {.running = {&team}});
     EXPECT_EQ(best.start.refinements, rough ? 1 : 0);
     EXPECT_EQ(rings_of(best.start, 5), 12u);
     EXPECT_EQ(rings_of(best.start, 7), 0u);

@@ -29,7 +29,8 @@ annealing::AnnealingLevel cage(TriangleMesh triangulation, double radius) {
 }
 
 TEST(CoarseStarts, AreAQuarterOfTheAtomsOnHalfTheSphere) {
-  const CoarseStarts starts = coarse_starts(sphere(atoms), atoms, 1, {.threads = 2});
+  ThreadTeam team(2);
+  const CoarseStarts starts = coarse_starts(sphere(atoms), atoms, 1, {.running = {&team}});
   EXPECT_EQ(starts.tried, 2);
   EXPECT_EQ(starts.annealed, 2);
   EXPECT_FALSE(starts.widened);
@@ -56,18 +57,20 @@ TEST(CoarseStarts, AreNoneWhereTheTopologyAsksForMore) {
 
 // A plate as thick as sheets need at full size is half as thick, or a quarter, at the scale of a coarse level.
 TEST(CoarseStarts, ThinPartsAreMadeWideEnoughForCoarseSheets) {
+  ThreadTeam team(2);
   const TriangleMesh plate = test::pill(24, 5);
-  const CoarseStarts starts = coarse_starts(plate, 1600, 1, {.threads = 2});
+  const CoarseStarts starts = coarse_starts(plate, 1600, 1, {.running = {&team}});
   EXPECT_TRUE(starts.widened);
   EXPECT_FALSE(starts.levels.empty());
 }
 
 // A horn of 9 Angstrom at full size that the triangulation does not show.
 TEST(CoarseStart, WhatLeavesOutPartsOfTheShapeIsNotAnnealed) {
+  ThreadTeam team(2);
   for (const double horn : {0.0, 4.5}) {
     const TriangleMesh surface = sphere(atoms / 4, horn);
     const CoarseStart start = anneal_coarse_start(cage(test::unit_sphere(4), surface.points[0].norm()),
-                                                  surface, atoms / 4, 1, {.threads = 2}, 1);
+                                                  surface, atoms / 4, 1, {.running = {&team}}, 1);
     EXPECT_EQ(start.annealed, horn == 0);
     EXPECT_EQ(start.level.has_value(), horn == 0);
     EXPECT_FALSE(start.hopeless);

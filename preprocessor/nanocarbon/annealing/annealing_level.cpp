@@ -61,12 +61,15 @@ TriangleMesh without(const TriangleMesh& mesh, std::span<const std::uint32_t> tr
 
 }  // namespace
 
-std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean) {
+std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean,
+                                       const Running& running) {
+  const auto stage = running.stage("dual");
   AnnealingLevel level;
+  level.state.running = running;
   try {
     level.state.network = trivalent_network(triangulation);
     const std::vector<AtomIndex> ends = dead_ends(level.state.network);
-    if (!ends.empty()) return level_on(without(triangulation, ends), tether, free_mean);
+    if (!ends.empty()) return level_on(without(triangulation, ends), tether, free_mean, running);
   } catch (const UserError&) {
     return {};
   }
@@ -93,7 +96,8 @@ void relax_level(AnnealingLevel& level, const TetherSurface& surface, bool raw) 
                     {.tether = level.state.tether,
                      .untangling_attempts = raw ? 1u : 0u,
                      .free_mean = level.state.free_mean,
-                     .springs_first = raw});
+                     .springs_first = raw,
+                     .running = level.state.running});
   level.unannealed = relaxed.energy / static_cast<double>(level.state.positions.size());
   level.mean_distance = relaxed.mean_distance;
   level.sound = is_safe(relaxed.longest_bond, relaxed.closest_unbonded);

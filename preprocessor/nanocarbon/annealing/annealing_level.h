@@ -18,7 +18,8 @@ struct AnnealingLevel {
 
 //! The dual of a triangulation as it is, but for triangles that hang on by one side, which are left out; with
 //! hydrogen at its boundary. Nothing if parts are so thin for its faces that it pinches them.
-std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean);
+std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean,
+                                       const Running& running = {});
 
 //! Whether REBO2 would see the intended bonds at the present positions, with a margin for relaxation without
 //! the tether.

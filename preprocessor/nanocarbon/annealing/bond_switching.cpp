@@ -330,6 +330,7 @@ double relax_state(SwitchingState& state, const TetherSurface& surface, int max_
   model.rebo2.set_graph(fixed_bond_graph(state.network, state.space));
   model.tether = state.tether;
   model.free_mean = state.free_mean;
+  model.running = state.running;
   if (state.planes.size() != state.positions.size()) state.planes = tangent_planes(surface, state.positions);
   model.planes = std::move(state.planes);
   const minimisation::LbfgsResult relaxed =
@@ -346,6 +347,7 @@ double relax_state(SwitchingState& state, const TetherSurface& surface, int max_
 
 BondSwitchingResult anneal_bonds(SwitchingState& state, const TetherSurface& surface,
                                  const BondSwitchingOptions& options) {
+  const auto stage = state.running.stage("switching");
   return Annealer(state, surface, options).run();
 }
 

@@ -17,14 +17,18 @@ constexpr double spring_tether = 0.5;
 
 void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::vector<Vec3>& positions,
                       int iterations) {
+  const auto stage = model.running.stage("springs");
   for (int round = 0; round < 3; ++round) {
-    model.planes = tangent_planes(surface, positions, model.planes);
+    ThreadTeam* const team = model.running.team;
+    model.planes = tangent_planes(surface, positions, model.planes, team);
     const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
-      return add_springs(model.rebo2.graph(), x, g) + model.contacts.evaluate(x, model.rebo2.graph(), g) +
-             add_tether(model.planes, spring_tether, x, g, model.free_mean);
+      const FixedBondGraph& graph = model.rebo2.graph();
+      return add_springs(graph, model.rebo2.chunks(), x, g, team) +
+             model.contacts.evaluate(x, graph, g, team) +
+             add_tether(model.planes, spring_tether, x, g, model.free_mean, team);
     };
     minimisation::minimise_lbfgs(positions, energy,
-                                 {.max_iterations = iterations / 3, .force_tolerance = 0.05});
+                                 {.max_iterations = iterations / 3, .force_tolerance = 0.05, .team = team});
   }
 }
 
@@ -36,10 +40,12 @@ DualRelaxationResult relax_network(const FixedBondGraph& graph, std::vector<Vec3
   model.rebo2.set_graph(graph);
   model.tether = options.tether;
   model.free_mean = options.free_mean;
+  model.running = options.running;
   if (options.springs_first) relax_by_springs(model, surface, positions, options.max_iterations);
   DualRelaxationResult result;
   minimisation::LbfgsResult relaxed;
   for (unsigned attempt = 0; attempt <= options.untangling_attempts; ++attempt) {
+    const auto stage = model.running.stage("tethered");
     relaxed = minimise_fixed_bonds(
         model, &surface, positions,
         {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});

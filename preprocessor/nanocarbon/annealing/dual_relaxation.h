@@ -3,6 +3,7 @@
 
 #include "nanocarbon/annealing/fixed_bond_rebo2.h"
 #include "nanocarbon/annealing/surface_tether.h"
+#include "nanocarbon/core/stage_clock.h"
 #include "nanocarbon/molecule/molecule.h"
 
 namespace nanocarbon::annealing {
@@ -14,6 +15,7 @@ struct DualRelaxationOptions {
   unsigned untangling_attempts = 1;  //!< where bonds end up above 1.7 Angstrom or other pairs below 2.0
   bool free_mean = true;             //!< of the heights above the surface, see add_tether()
   bool springs_first = true;         //!< not needed where positions have been relaxed before
+  Running running = {};
 };
 
 struct DualRelaxationResult {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "nanocarbon/annealing/network_guards.h"
 #include "nanocarbon/minimisation/multilevel/sheet_preconditioner.h"
 
 namespace nanocarbon::annealing {
@@ -38,10 +37,9 @@ void hold_boundary(FixedBondModel& model, const TetherSurface& surface, std::spa
 }  // namespace
 
 double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
-  double energy = rebo2.evaluate(positions, gradient);
-  energy += add_guards(rebo2.graph(), positions, gradient);
-  energy += contacts.evaluate(positions, rebo2.graph(), gradient);
-  if (!planes.empty()) energy += add_tether(planes, tether, positions, gradient, free_mean);
+  double energy = rebo2.evaluate_guarded(positions, gradient, running.team);
+  energy += contacts.evaluate(positions, rebo2.graph(), gradient, running.team);
+  if (!planes.empty()) energy += add_tether(planes, tether, positions, gradient, free_mean, running.team);
   energy += add_boundary_tether(edges, rebo2.graph(), reach, positions, gradient);
   return energy;
 }
@@ -52,17 +50,21 @@ minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const Teth
   const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) { return model.evaluate(x, g); };
   std::optional<multilevel::SheetPreconditioner> preconditioner;
   if (positions.size() >= multilevel::least_atoms && options.max_iterations >= least_iterations)
-    preconditioner.emplace(model.rebo2.graph().space, positions, bonded_atoms(model.rebo2.graph()));
+    preconditioner.emplace(model.rebo2.graph().space, positions, bonded_atoms(model.rebo2.graph()),
+                           model.running.team);
   minimisation::LbfgsResult result;
   int iterations = 0;
   do {
     if (surface) {
-      model.planes = tangent_planes(*surface, positions, model.planes);
+      model.planes = tangent_planes(*surface, positions, model.planes, model.running.team);
       hold_boundary(model, *surface, positions);
     }
-    if (preconditioner) preconditioner->renew(positions, holds_of(model.planes, model.tether));
+    // The normals change little on the way.
+    if (preconditioner && iterations == 0)
+      preconditioner->renew(positions, holds_of(model.planes, model.tether));
     minimisation::LbfgsOptions part = options;
     part.max_iterations = options.max_iterations - iterations;
+    part.team = model.running.team;
     part.preconditioner = preconditioner ? &*preconditioner : nullptr;
     if (surface) part.max_iterations = std::min(part.max_iterations, renewal);
     result = minimisation::minimise_lbfgs(positions, energy, part);

@@ -6,6 +6,7 @@
 #include "nanocarbon/annealing/fixed_bond_rebo2.h"
 #include "nanocarbon/annealing/steric_contacts.h"
 #include "nanocarbon/annealing/surface_tether.h"
+#include "nanocarbon/core/stage_clock.h"
 #include "nanocarbon/minimisation/lbfgs.h"
 
 namespace nanocarbon::annealing {
@@ -20,6 +21,7 @@ struct FixedBondModel {
   bool free_mean = true;             //!< of the heights above the surface, see add_tether()
   std::vector<TangentPlane> edges;  //!< across the surface at its boundary (boundary_curve.h); empty for none
   double reach = -open_atom_depth;  //!< of open atoms beyond these
+  Running running = {};
 
   //! Sum of the terms in eV; gradient added to.
   double evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient);

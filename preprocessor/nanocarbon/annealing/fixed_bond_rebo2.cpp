@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "nanocarbon/annealing/network_guards.h"
 #include "nanocarbon/annealing/open_atoms.h"
 #include "nanocarbon/potential/rebo2/angular_spline.h"
 #include "nanocarbon/potential/rebo2/coordination_tables.h"
@@ -46,13 +46,7 @@ void FixedBondRebo2::set_graph(const FixedBondGraph& graph) {
   incomplete_.clear();
   for (AtomIndex a = 0; a < graph_.inner_count(); ++a)
     if (!graph_.complete(a)) incomplete_.push_back(a);
-  beside_open_.clear();
-  for (const AtomIndex a : incomplete_)
-    if (graph_.open(a))
-      for (const AtomIndex n : graph_.neighbours[a])
-        if (n < graph_.inner_count() && graph_.complete(n)) beside_open_.push_back(n);
-  std::sort(beside_open_.begin(), beside_open_.end());
-  beside_open_.erase(std::unique(beside_open_.begin(), beside_open_.end()), beside_open_.end());
+  apart_.assign(graph_.inner_count(), false);
 }
 
 double FixedBondRebo2::set_edges(std::size_t atom, std::span<const Vec3> positions) {
@@ -183,6 +177,7 @@ double FixedBondRebo2::add_bond(std::uint32_t h, std::uint32_t reverse, bool rev
 double FixedBondRebo2::evaluate_each_bond(std::span<const Vec3> positions, std::span<Vec3> gradient) {
   const std::size_t atoms = graph_.inner_count();
   resize_scratch();
+  std::fill(edge_gradient_.begin(), edge_gradient_.end(), HalfEdge{0, 0, 0, 0});
   double energy = 0;
   for (std::size_t a = 0; a < atoms; ++a) energy += set_edges(a, positions);
   for (AtomIndex a = 0; a < atoms; ++a)
@@ -195,35 +190,88 @@ double FixedBondRebo2::evaluate_each_bond(std::span<const Vec3> positions, std::
   return energy;
 }
 
-double FixedBondRebo2::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
-  const std::optional<double> fast = loops_.evaluate(positions, gradient);
-  if (!fast) return evaluate_each_bond(positions, gradient);
-  double energy = *fast;
-  if (incomplete_.empty()) return energy;
+// Whether a bond has terms that do not belong to one of its ends.
+bool FixedBondRebo2::has_whole_terms(AtomIndex one, AtomIndex other) const {
+  return graph_.open(one) || graph_.open(other) || (graph_.complete(one) && graph_.complete(other));
+}
+
+// Atoms whose edges and forces add_apart() works on: those apart, and complete neighbours that share dihedral terms
+// with them.
+std::vector<AtomIndex> FixedBondRebo2::touched_by(std::span<const AtomIndex> apart) const {
+  std::vector<AtomIndex> touched(apart.begin(), apart.end());
+  for (const AtomIndex a : apart) {
+    if (!has_fan(a)) continue;
+    for (const AtomIndex n : graph_.neighbours[a])
+      if (n < graph_.inner_count() && !apart_[n]) touched.push_back(n);
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  return touched;
+}
+
+// The energy of the atoms that the loops leave out, bond by bond: each its own halves of its bonds, as in the loops;
+// and what bonds with one of them have as a whole, the dihedral term and what hydrogen changes.
+double FixedBondRebo2::add_apart(std::span<const AtomIndex> outside, std::span<const Vec3> positions,
+                                 std::span<Vec3> gradient) {
+  std::vector<AtomIndex> apart(outside.begin(), outside.end());
+  apart.insert(apart.end(), incomplete_.begin(), incomplete_.end());
   resize_scratch();
-  for (const AtomIndex a : incomplete_) energy += set_edges(a, positions);
-  for (const AtomIndex a : beside_open_) set_edges(a, positions);
-  for (const AtomIndex a : incomplete_)
+  for (const AtomIndex a : apart) apart_[a] = true;
+  const std::vector<AtomIndex> touched = touched_by(apart);
+  double energy = 0;
+  for (const AtomIndex a : touched) {
+    energy += set_edges(a, positions);
+    std::fill_n(&edge_gradient_[3 * a], 3, HalfEdge{0, 0, 0, 0});
+  }
+  for (const AtomIndex a : apart)
     for (std::uint32_t s = 0; s < 3; ++s) {
       const AtomIndex n = graph_.neighbours[a][s];
       if (n == no_atom) continue;
-      // Without hydrogen, bonds of incomplete atoms have no dihedral: each end is for itself. With it one end
-      // evaluates what belongs to both; of a complete neighbour the loops have the half.
-      const bool both = graph_.hydrogen && !graph_.complete(n);
-      if (both && n < a) continue;
-      const bool together = graph_.hydrogen && n < graph_.inner_count();
-      energy += add_bond(3 * a + s, together ? 3 * n + graph_.slot(n, a) : no_half, both);
+      const bool whole = n < graph_.inner_count() && has_whole_terms(a, n);
+      if (whole && apart_[n] && n < a) continue;
+      energy += add_bond(3 * a + s, whole ? 3 * n + graph_.slot(n, a) : no_half, whole && apart_[n]);
     }
-  for (const AtomIndex a : incomplete_) add_forces(a, gradient);
-  for (const AtomIndex a : beside_open_) add_forces(a, gradient);
+  for (const AtomIndex a : touched) add_forces(a, gradient);
+  for (const AtomIndex a : apart) apart_[a] = false;
   return energy;
+}
+
+double FixedBondRebo2::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient, ThreadTeam* team) {
+  loops_.measure(positions, team);
+  const std::vector<AtomIndex> outside = loops_.outside();
+  if (!outside.empty() && chunks().count() < 2) return evaluate_each_bond(positions, gradient);
+  const double energy = loops_.add(outside, graph_, gradient, team);
+  if (incomplete_.empty() && outside.empty()) return energy;
+  return energy + add_apart(outside, positions, gradient);
+}
+
+double FixedBondRebo2::add_guards_where_strained(std::span<const Vec3> positions, std::span<Vec3> gradient,
+                                                 ThreadTeam* team) const {
+  return chunks().sum(team, [&](std::size_t chunk) {
+    std::vector<AtomIndex> strained;
+    loops_.find_strained(longest_unguarded_bond, closest_unguarded_second_neighbours, chunk, strained);
+    const auto first = std::lower_bound(incomplete_.begin(), incomplete_.end(), chunks().begin(chunk)),
+               last = std::lower_bound(first, incomplete_.end(), chunks().end(chunk));
+    strained.insert(strained.end(), first, last);
+    std::sort(strained.begin(), strained.end());
+    double energy = 0;
+    for (const AtomIndex a : strained) energy += add_guards_at(a, graph_, positions, gradient);
+    return energy;
+  });
+}
+
+double FixedBondRebo2::evaluate_guarded(std::span<const Vec3> positions, std::span<Vec3> gradient,
+                                        ThreadTeam* team) {
+  const double energy = evaluate(positions, gradient, team);
+  return energy + add_guards_where_strained(positions, gradient, team);
 }
 
 void FixedBondRebo2::resize_scratch() {
   const std::size_t atoms = graph_.inner_count();
   edges_.resize(3 * atoms);
   angles_.resize(3 * atoms);
-  edge_gradient_.assign(3 * atoms, HalfEdge{0, 0, 0, 0});
+  edge_gradient_.resize(3 * atoms);
+  apart_.resize(atoms, false);
 }
 
 void FixedBondRebo2::add_forces(std::size_t a, std::span<Vec3> gradient) {

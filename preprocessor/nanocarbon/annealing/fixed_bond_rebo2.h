@@ -24,9 +24,17 @@ class FixedBondRebo2 {
   const FixedBondGraph& graph() const { return graph_; }
 
   //! Energy of the inner atoms in eV; gradient (eV/Angstrom) is added to.
-  //! \details By vector loops where all bonds and angles are in their range, otherwise bond by bond.
+  //! \details By vector loops; bond by bond around atoms with a bond or an angle outside their range. Small
+  //! molecules are evaluated bond by bond as a whole where there is such an atom.
   //! \pre both spans have the size of graph().neighbours
-  double evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient);
+  double evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient, ThreadTeam* team = nullptr);
+
+  //! The same with the guards of network_guards.h, at hardly any cost where they do not act.
+  double evaluate_guarded(std::span<const Vec3> positions, std::span<Vec3> gradient,
+                          ThreadTeam* team = nullptr);
+
+  //! Parts of the molecule that may be worked on at once.
+  const AtomChunks& chunks() const { return loops_.chunks(); }
 
   //! The same bond by bond, whatever the geometry; agrees with the above to 1e-9 eV for each atom.
   double evaluate_each_bond(std::span<const Vec3> positions, std::span<Vec3> gradient);
@@ -48,10 +56,16 @@ class FixedBondRebo2 {
 
   FixedBondGraph graph_;
   FixedBondLoops loops_;
-  std::vector<AtomIndex> incomplete_;   // inner atoms with less than three bonds
-  std::vector<AtomIndex> beside_open_;  // complete inner atoms that are bonded to open ones
+  std::vector<AtomIndex> incomplete_;  // inner atoms with less than three bonds; sorted
+  std::vector<char> apart_;            // atoms that are not evaluated by the loops this time
 
   void resize_scratch();
+  bool has_whole_terms(AtomIndex one, AtomIndex other) const;
+  std::vector<AtomIndex> touched_by(std::span<const AtomIndex> apart) const;
+  double add_apart(std::span<const AtomIndex> outside, std::span<const Vec3> positions,
+                   std::span<Vec3> gradient);
+  double add_guards_where_strained(std::span<const Vec3> positions, std::span<Vec3> gradient,
+                                   ThreadTeam* team) const;
   // Return the energy of the atom's hydrogen, if any.
   double set_edges(std::size_t atom, std::span<const Vec3> positions);
   double set_angles(std::size_t atom);

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "nanocarbon/annealing/fixed_bond_rebo2.h"
+#include "nanocarbon/annealing/fixed_bond_graph.h"
 
 namespace nanocarbon::annealing {
 
@@ -17,5 +17,9 @@ inline constexpr double longest_unguarded_bond = 1.65, closest_unguarded_second_
 //! Nothing is added for a molecule whose bonds REBO2 sees as intended.
 //! \return eV; the gradient (eV/Angstrom) is added to
 double add_guards(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient);
+
+//! Those of one inner atom alone: its bonds to atoms after it, and the pairs of its neighbours.
+double add_guards_at(AtomIndex atom, const FixedBondGraph& graph, std::span<const Vec3> positions,
+                     std::span<Vec3> gradient);
 
 }  // namespace nanocarbon::annealing

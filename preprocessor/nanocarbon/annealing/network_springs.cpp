@@ -7,11 +7,13 @@
 
 namespace nanocarbon::annealing {
 
-double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient,
-                   const SpringOptions& options) {
+namespace {
+
+double add_springs_of(std::size_t begin, std::size_t end, const FixedBondGraph& graph,
+                      std::span<const Vec3> positions, std::span<Vec3> gradient,
+                      const SpringOptions& options) {
   double energy = 0;
-  const std::size_t atoms = graph.inner_count();
-  for (AtomIndex a = 0; a < atoms; ++a) {
+  for (std::size_t a = begin; a < end; ++a) {
     const auto& neighbours = graph.neighbours[a];
     for (unsigned s = 0; s < 3; ++s) {
       const AtomIndex n = neighbours[s], m = neighbours[(s + 1) % 3];
@@ -26,6 +28,20 @@ double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions,
     }
   }
   return energy;
+}
+
+}  // namespace
+
+double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient,
+                   const SpringOptions& options) {
+  return add_springs_of(0, graph.inner_count(), graph, positions, gradient, options);
+}
+
+double add_springs(const FixedBondGraph& graph, const AtomChunks& chunks, std::span<const Vec3> positions,
+                   std::span<Vec3> gradient, ThreadTeam* team) {
+  return chunks.sum(team, [&](std::size_t chunk) {
+    return add_springs_of(chunks.begin(chunk), chunks.end(chunk), graph, positions, gradient, {});
+  });
 }
 
 }  // namespace nanocarbon::annealing

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "nanocarbon/annealing/fixed_bond_rebo2.h"
+#include "nanocarbon/annealing/atom_chunks.h"
 
 namespace nanocarbon::annealing {
 
@@ -23,5 +23,10 @@ struct SpringOptions {
 //! \return eV; the gradient (eV/Angstrom) is added to
 double add_springs(const FixedBondGraph& graph, std::span<const Vec3> positions, std::span<Vec3> gradient,
                    const SpringOptions& options = {});
+
+//! The same by several threads.
+//! \param chunks of the graph
+double add_springs(const FixedBondGraph& graph, const AtomChunks& chunks, std::span<const Vec3> positions,
+                   std::span<Vec3> gradient, ThreadTeam* team);
 
 }  // namespace nanocarbon::annealing

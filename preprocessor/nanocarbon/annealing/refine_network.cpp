@@ -18,6 +18,7 @@ SwitchingState state_of(const TriangleMesh& triangulation, const SwitchingState&
   state.tether = coarse.tether;
   state.free_mean = coarse.free_mean;
   state.space = triangulation.space;
+  state.running = coarse.running;
   for (const Triangle& t : triangulation.triangles) {
     const auto [a, b, c] = corners_of(triangulation, t);
     state.positions.push_back((a + b + c) / 3);

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "nanocarbon/core/chunks.h"
 
 namespace nanocarbon::annealing {
 
@@ -19,9 +22,32 @@ constexpr double least_change = 3e-3;
 using Vector7 = Eigen::Matrix<double, 7, 1>;
 using Matrix7 = Eigen::Matrix<double, 7, 7>;
 
+// Least squares of the heights above tangent planes, in motions about the centre; means over all atoms.
+struct Sums {
+  double misfit = 0;  // square of the distance to the nearest point
+  Matrix7 normal_matrix = Matrix7::Zero();
+  Vector7 right = Vector7::Zero();
+
+  void add(const Vec3& x, const Vec3& arm, const TangentPlane& plane, bool with_scale, bool periodic,
+           double count) {
+    Vector7 row;
+    row << plane.normal, arm.cross(plane.normal), with_scale ? arm.dot(plane.normal) : 0.0;
+    if (periodic) row.tail<4>().setZero();
+    normal_matrix += row * row.transpose() / count;
+    right -= height_above(plane, x) * row / count;
+    misfit += (x - plane.point).squaredNorm() / count;
+  }
+  void operator+=(const Sums& other) {
+    misfit += other.misfit;
+    normal_matrix += other.normal_matrix;
+    right += other.right;
+  }
+};
+
 }  // namespace
 
-Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& surface, bool with_scale) {
+Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& surface, bool with_scale,
+                          ThreadTeam* team) {
   Similarity fit;
   const auto count = static_cast<double>(positions.size());
   for (const Vec3& p : positions) fit.centre += p / count;
@@ -30,29 +56,27 @@ Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& 
   Similarity best = fit;
   double least = std::numeric_limits<double>::infinity();  // mean square distance under the best
   for (int round = 0;; ++round) {
-    double misfit = 0;
-    Matrix7 normal_matrix = Matrix7::Zero();
-    Vector7 right = Vector7::Zero();
-    for (const Vec3& p : positions) {
-      const Vec3 x = fit(p), arm = (x - fit.centre) / radius;
-      const TangentPlane plane = surface.plane_at(x);
-      Vector7 row;
-      row << plane.normal, arm.cross(plane.normal), with_scale ? arm.dot(plane.normal) : 0.0;
-      if (surface.space().periodic()) row.tail<4>().setZero();
-      normal_matrix += row * row.transpose() / count;
-      right -= height_above(plane, x) * row / count;
-      misfit += (x - plane.point).squaredNorm() / count;
-    }
+    std::vector<Sums> parts(chunks_of(positions.size()));
+    for_chunks(team, positions.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t a = begin; a < end; ++a) {
+        const Vec3 x = fit(positions[a]);
+        parts[begin / chunk_size].add(x, (x - fit.centre) / radius, surface.plane_at(x), with_scale,
+                                      surface.space().periodic(), count);
+      }
+    });
+    Sums sums;
+    for (const Sums& part : parts) sums += part;
     // Planes are not the surface: near edges and thin parts a step by them may lead away.
-    if (!(misfit < least)) break;
+    if (!(sums.misfit < least)) break;
     best = fit;
-    least = misfit;
+    least = sums.misfit;
     if (round == rounds) break;
-    const Eigen::SelfAdjointEigenSolver<Matrix7> modes(normal_matrix);
+    const Eigen::SelfAdjointEigenSolver<Matrix7> modes(sums.normal_matrix);
     Vector7 step = Vector7::Zero();
     for (int m = 0; m < 7; ++m)
       if (modes.eigenvalues()[m] > least_change)
-        step += modes.eigenvectors().col(m).dot(right) / modes.eigenvalues()[m] * modes.eigenvectors().col(m);
+        step += modes.eigenvectors().col(m).dot(sums.right) / modes.eigenvalues()[m] *
+                modes.eigenvectors().col(m);
     const Vec3 turn = step.segment<3>(3) / radius;
     if (turn.norm() > 0)
       fit.turn = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * fit.turn;

@@ -23,6 +23,7 @@ struct Similarity {
 //! \details Motions that change no height (turns of a sphere) are left out. In a cell only shifts are motions.
 //! \param with_scale let the atoms grow or shrink, too
 //! \return a motion that leaves them no farther from the surface than they were, in the mean square
-Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& surface, bool with_scale);
+Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& surface, bool with_scale,
+                          ThreadTeam* team = nullptr);
 
 }  // namespace nanocarbon::annealing

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "nanocarbon/core/chunks.h"
+
 namespace nanocarbon::annealing {
 
 namespace {
@@ -102,31 +104,37 @@ double TetherSurface::distance(const Vec3& position) const { return nearest_.nea
 Vec3 TetherSurface::nearest(const Vec3& position) const { return nearest_.nearest(position).point; }
 
 std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions,
-                                         std::span<const TangentPlane> former) {
-  std::vector<TangentPlane> planes;
-  planes.reserve(positions.size());
-  for (std::size_t a = 0; a < positions.size(); ++a)
-    planes.push_back(former.size() == positions.size() ? surface.plane_at(positions[a], former[a].normal)
-                                                       : surface.plane_at(positions[a]));
+                                         std::span<const TangentPlane> former, ThreadTeam* team) {
+  std::vector<TangentPlane> planes(positions.size());
+  for_chunks(team, positions.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t a = begin; a < end; ++a)
+      planes[a] = former.size() == positions.size() ? surface.plane_at(positions[a], former[a].normal)
+                                                    : surface.plane_at(positions[a]);
+  });
   return planes;
 }
 
-double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions) {
-  double sum = 0;
-  for (std::size_t a = 0; a < positions.size(); ++a) sum += height_above(planes[a], positions[a]);
+double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions, ThreadTeam* team) {
+  const double sum = sum_chunks(team, positions.size(), [&](std::size_t begin, std::size_t end) {
+    double part = 0;
+    for (std::size_t a = begin; a < end; ++a) part += height_above(planes[a], positions[a]);
+    return part;
+  });
   return positions.empty() ? 0 : sum / static_cast<double>(positions.size());
 }
 
 double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,
-                  std::span<Vec3> gradient, bool free_mean) {
-  const double mean = free_mean ? mean_height(planes, positions) : 0;
-  double energy = 0;
-  for (std::size_t a = 0; a < positions.size(); ++a) {
-    const double height = height_above(planes[a], positions[a]) - mean;
-    gradient[a] += stiffness * height * planes[a].normal;
-    energy += 0.5 * stiffness * height * height;
-  }
-  return energy;
+                  std::span<Vec3> gradient, bool free_mean, ThreadTeam* team) {
+  const double mean = free_mean ? mean_height(planes, positions, team) : 0;
+  return sum_chunks(team, positions.size(), [&](std::size_t begin, std::size_t end) {
+    double energy = 0;
+    for (std::size_t a = begin; a < end; ++a) {
+      const double height = height_above(planes[a], positions[a]) - mean;
+      gradient[a] += stiffness * height * planes[a].normal;
+      energy += 0.5 * stiffness * height * height;
+    }
+    return energy;
+  });
 }
 
 }  // namespace nanocarbon::annealing

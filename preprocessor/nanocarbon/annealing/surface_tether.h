@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nanocarbon/annealing/boundary_curve.h"
+#include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/mesh/triangle_tree.h"
 
@@ -44,10 +45,12 @@ class TetherSurface {
 //! \param former the planes of the same positions a little earlier, whose side of the surface is kept; empty
 //! for none
 std::vector<TangentPlane> tangent_planes(const TetherSurface& surface, std::span<const Vec3> positions,
-                                         std::span<const TangentPlane> former = {});
+                                         std::span<const TangentPlane> former = {},
+                                         ThreadTeam* team = nullptr);
 
 //! Mean height of all atoms above their planes, Angstrom.
-double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions);
+double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> positions,
+                   ThreadTeam* team = nullptr);
 
 //! \brief Adds (stiffness / 2)(h - mean h)^2 over all atoms, h the height above the atom's plane.
 //! \details The mean is free where the surface's size may follow the number of atoms: curved sheets of carbon
@@ -57,6 +60,6 @@ double mean_height(std::span<const TangentPlane> planes, std::span<const Vec3> p
 //! \param stiffness eV/Angstrom^2
 //! \return eV
 double add_tether(std::span<const TangentPlane> planes, double stiffness, std::span<const Vec3> positions,
-                  std::span<Vec3> gradient, bool free_mean = true);
+                  std::span<Vec3> gradient, bool free_mean = true, ThreadTeam* team = nullptr);
 
 }  // namespace nanocarbon::annealing

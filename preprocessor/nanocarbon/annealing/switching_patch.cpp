@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "nanocarbon/annealing/network_guards.h"
 #include "nanocarbon/annealing/network_springs.h"
 
 namespace nanocarbon::annealing {
@@ -210,7 +209,7 @@ void SwitchingPatch::place_outside(std::uint32_t polygon) {
 double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span<Vec3> gradient) {
   std::copy(free.begin(), free.end(), positions_.begin());
   gradient_.assign(positions_.size(), Vec3::Zero());
-  double energy = rebo2_.evaluate(positions_, gradient_) + add_guards(graph_, positions_, gradient_);
+  double energy = rebo2_.evaluate_guarded(positions_, gradient_);
   for (std::size_t k = 0; k < free_; ++k) {
     if (!atoms_[k].exists()) continue;
     const double height = height_above(planes_[k], positions_[k]) - mean_height_;

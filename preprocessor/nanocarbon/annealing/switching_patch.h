@@ -22,6 +22,7 @@ struct SwitchingState {
   bool free_mean = true;            //!< of the heights above the surface, see add_tether()
   double mean_height = 0;   //!< Angstrom, where the tether is at rest; as of the last relaxation of the whole
   StericContacts contacts;  //!< as of the last relaxation of the whole
+  Running running = {};     //!< of relaxations of the whole
 };
 
 //! \brief The surroundings of a bond switch, copied so that trials can run side by side on one state.

@@ -54,13 +54,17 @@ Chosen choose_start(const TriangleMesh& surface, std::size_t atoms, const Anneal
   return chosen;
 }
 
+TriangleMesh with_room(const TriangleMesh& surface, const AnnealOptions& options) {
+  const auto timed = options.running.stage("features");
+  return features::with_room_for_sheets(surface, features::resting_sheet_distance, options.running.threads())
+      .value_or(surface);
+}
+
 }  // namespace
 
 AnnealResult anneal(const TriangleMesh& given, std::size_t atoms, potential::Potential& potential,
                     const AnnealOptions& options) {
-  const TriangleMesh surface =
-      features::with_room_for_sheets(given, features::resting_sheet_distance, options.threads)
-          .value_or(given);
+  const TriangleMesh surface = with_room(given, options);
   auto [best, unannealed] = choose_start(surface, atoms, options);
   TriangleMesh strained = surface;
   if (surface.space.periodic()) mesh::deform(strained, best.start.strain);

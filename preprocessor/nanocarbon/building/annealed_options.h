@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "nanocarbon/core/quality.h"
+#include "nanocarbon/core/stage_clock.h"
 #include "nanocarbon/minimisation/cell_minimum.h"
 
 namespace nanocarbon::building {
@@ -23,7 +24,7 @@ struct AnnealOptions {
   double tether = default_tether;  //!< to the surface while annealing, eV/Angstrom^2
   double force_tolerance = 1e-3;   //!< eV/Angstrom, of the final minimisation
   std::uint64_t seed = 1;
-  unsigned threads = 1;
+  Running running = {};
   //! Keep the surface's size. Otherwise the number of atoms is prescribed, and the size becomes what fits them best.
   bool keep_size = false;
   //! Strains of a periodic cell that the final minimisation may change.

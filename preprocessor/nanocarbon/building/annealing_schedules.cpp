@@ -26,7 +26,7 @@ annealing::BondSwitchingOptions schedule_for(std::size_t atoms, const AnnealOpti
   annealing::BondSwitchingOptions schedule;
   schedule.target_atoms = atoms;
   schedule.seed = options.seed;
-  schedule.threads = options.threads;
+  schedule.threads = options.running.threads();
   schedule.largest_ring = options.largest_ring;
   schedule.cold = 0.2;
   return schedule;

@@ -81,6 +81,7 @@ BuildResult build_by_thesis(SizedSurface surface, const BuildOptions& options) {
     thesis.progress = [&](const thesis::ThesisProgress& p) {
       options.progress("remeshing", static_cast<double>(p.iteration) / p.max_iterations);
     };
+  const auto timed = StageClock::stage(options.clock, "thesis");
   thesis::ThesisResult remeshed = thesis::remesh_by_thesis(surface.mesh, thesis);
   BuildResult result;
   result.surface = fitted(std::move(surface), remeshed.scale);
@@ -103,6 +104,7 @@ BuildResult build_by_thesis(SizedSurface surface, const BuildOptions& options) {
 }
 
 void require_room_for_features(const SizedSurface& surface, const BuildOptions& options) {
+  const auto timed = StageClock::stage(options.clock, "features");
   const features::FeatureReport features = features::check_features(surface.mesh, {}, options.threads);
   if (features.ok()) return;
   const features::FeatureProblem& worst = features.problems.front();
@@ -164,12 +166,12 @@ void require_wide_cell(const SizedSurface& surface) {
                   static_cast<std::size_t>(std::ceil(grown * grown * static_cast<double>(surface.atoms)))));
 }
 
-AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh& surface) {
+AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh& surface, ThreadTeam& team) {
   AnnealOptions annealing{.quality = options.quality,
                           .tether = tether_of(options),
                           .force_tolerance = options.force_tolerance,
                           .seed = options.seed,
-                          .threads = options.threads,
+                          .running = {&team, options.clock},
                           .keep_size = keeps_size(options.size),
                           .relax_cell = relaxed_strains(options, surface),
                           .hydrogen = options.boundary == Boundary::hydrogen,
@@ -183,8 +185,9 @@ AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh&
 
 AnnealResult annealed(const SizedSurface& surface, potential::Potential& potential,
                       const BuildOptions& options) {
+  ThreadTeam team(std::max(1u, options.threads));
   try {
-    return anneal(surface.mesh, surface.atoms, potential, annealing_options(options, surface.mesh));
+    return anneal(surface.mesh, surface.atoms, potential, annealing_options(options, surface.mesh, team));
   } catch (const UserError& error) {
     if (error.failure() == Failure::size) throw TooFewAtoms(error.failure(), error.what());
     throw;
@@ -208,6 +211,7 @@ BuildResult build_by_annealing(SizedSurface surface, const BuildOptions& options
   std::optional<minimisation::Certificate> certificate;
   if (options.certify) {
     if (options.progress) options.progress("certifying", 0.0);
+    const auto timed = StageClock::stage(options.clock, "certificate");
     // Goes on to the minimum, which may be far from where annealing was asked to stop.
     certificate = minimisation::certify(
         molecule, *potential,
@@ -238,6 +242,7 @@ BuildResult build_once(const TriangleMesh& surface, const BuildOptions& options)
   const bool anneals = options.recipe == Recipe::annealed;
   const double thesis_bond = 0.5 * (options.thesis.min_bond + options.thesis.max_bond);
   Stopwatch whole;
+  const auto timed = StageClock::stage(options.clock, "checks");
   std::size_t specks_dropped = 0;
   SizedSurface sized =
       sized_without_specks(surface, options.size, anneals ? options.bond_length : thesis_bond,
@@ -260,6 +265,7 @@ SizeSearch search_of(const TriangleMesh& surface, const BuildOptions& options) {
   draft.quality = Quality::draft;
   draft.certify = draft.force = false;
   draft.tell = nullptr;
+  draft.clock = nullptr;
   const auto holds = [&surface, draft](std::size_t atoms) mutable {
     draft.size = AtomCount{atoms};
     try {

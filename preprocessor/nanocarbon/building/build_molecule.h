@@ -12,6 +12,7 @@
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/building/size_request.h"
 #include "nanocarbon/core/quality.h"
+#include "nanocarbon/core/stage_clock.h"
 #include "nanocarbon/minimisation/cell_minimum.h"
 #include "nanocarbon/minimisation/certificate.h"
 #include "nanocarbon/molecule/molecule.h"
@@ -63,6 +64,7 @@ struct BuildOptions {
   bool relax = false;            //!< their dual, to a minimum of REBO2 with its own bonds (dual_minimum.h)
 
   unsigned threads = 1;
+  StageClock* clock = nullptr;  //!< that times the stages; may be null
   std::uint64_t seed = 1;
   //! Called now and then with what is being done and how much of it, 0 to 1.
   std::function<void(std::string_view stage, double fraction)> progress;

@@ -211,6 +211,7 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
   const molecule::Interval edges{std::sqrt(3.0) * bonds.low, std::sqrt(3.0) * bonds.high};
   const molecule::Spread angles = molecule::spread(molecule::bond_angles(carbon));
 
+  const auto stage = StageClock::stage(options.clock, "report");
   Json report;
   report["nanocarbon"] = version;
   report["command"] = context.command;
@@ -256,6 +257,13 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
                        {"molecule", result.seconds.molecule},
                        {"total", result.seconds.total}};
   return report;
+}
+
+Json stages_json(const StageClock& clock) {
+  Json json = Json::object();
+  for (const StageClock::Time& time : clock.times())
+    json[time.name] = {{"wall", time.wall}, {"cpu", time.cpu}};
+  return json;
 }
 
 std::string report_table(const Json& report) {

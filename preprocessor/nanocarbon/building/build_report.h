@@ -23,6 +23,9 @@ struct ReportContext {
 nlohmann::ordered_json build_report(const BuildResult& result, const BuildOptions& options,
                                     const ReportContext& context);
 
+//! Time by stage as the report has it.
+nlohmann::ordered_json stages_json(const StageClock& clock);
+
 //! A summary of a report for a terminal, one fact per line.
 std::string report_table(const nlohmann::ordered_json& report);
 

@@ -101,8 +101,8 @@ CoarseStarts coarse_starts(const TriangleMesh& full, std::size_t atoms, int refi
   for (; starts.tried < most && starts.annealed < most && !hopeless; ++starts.tried) {
     CoarseStart start = next();
     if (!start.level && starts.annealed < most && !std::exchange(room_was_made, true))
-      if (auto roomy =
-              features::with_room_for_sheets(surface, features::resting_sheet_distance, options.threads)) {
+      if (auto roomy = features::with_room_for_sheets(surface, features::resting_sheet_distance,
+                                                      options.running.threads())) {
         surface = *std::move(roomy);
         starts.widened = true;
         start = next();

@@ -11,13 +11,15 @@ namespace nanocarbon::building {
 CrystalStart crystal_start(const TriangleMesh& surface, std::size_t atoms, const AnnealOptions& options,
                            int attempts) {
   Stopwatch watch;
+  const auto timed = options.running.stage("crystallising");
   const crystal::CrystalResult made = crystal::crystallise(surface, {.faces = atoms,
                                                                      .seed = options.seed,
                                                                      .quality = options.quality,
                                                                      .attempts = attempts,
+                                                                     .team = options.running.team,
                                                                      .progress = options.progress});
   const double seconds = watch.lap();
-  return {annealing::level_on(made.mesh, options.tether, !options.keep_size), seconds};
+  return {annealing::level_on(made.mesh, options.tether, !options.keep_size, options.running), seconds};
 }
 
 CrystalStart full_size_start(const TriangleMesh& surface, std::size_t atoms, const AnnealOptions& options) {

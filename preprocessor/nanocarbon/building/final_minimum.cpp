@@ -39,16 +39,23 @@ void part_hydrogens(Molecule& molecule) {
 Descent descend(const annealing::AnnealingLevel& level, double left, potential::Potential& potential,
                 const AnnealOptions& options) {
   annealing::FixedBondModel model;
+  model.running = options.running;
   model.rebo2.set_graph(annealing::fixed_bond_graph(level.state.network, level.state.space));
   std::vector<Vec3> positions = level.state.positions;
-  annealing::minimise_fixed_bonds(
-      model, nullptr, positions, {.max_iterations = 2000, .force_tolerance = left * options.force_tolerance});
+  {
+    const auto timed = options.running.stage("free");
+    annealing::minimise_fixed_bonds(
+        model, nullptr, positions,
+        {.max_iterations = 2000, .force_tolerance = left * options.force_tolerance});
+  }
+  const auto timed = options.running.stage("minimum");
   Molecule molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
   if (options.hydrogen) {
     molecule = molecule::saturated_with_hydrogen(molecule);
     if (potential.unbonded_reach() > 0) part_hydrogens(molecule);
   }
-  const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance};
+  const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance,
+                                                  .team = options.running.team};
   minimisation::CellMinimum end;
   if (molecule.cell)
     end = minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
@@ -60,10 +67,11 @@ Descent descend(const annealing::AnnealingLevel& level, double left, potential::
 // Moves atoms to where the carbons, which come first, fit the surface best, of the size that fits them. Returns by
 // how much it grows.
 double move_to_surface(std::vector<Vec3>& positions, std::size_t carbons, TriangleMesh surface,
-                       const Mat3& deformation, bool keep_size) {
+                       const Mat3& deformation, bool keep_size, ThreadTeam* team) {
   if (surface.space.periodic()) mesh::deform(surface, deformation);
-  const annealing::Similarity fit = annealing::fit_to_surface(
-      std::span<const Vec3>(positions.data(), carbons), annealing::TetherSurface(surface, 1), !keep_size);
+  const annealing::Similarity fit =
+      annealing::fit_to_surface(std::span<const Vec3>(positions.data(), carbons),
+                                annealing::TetherSurface(surface, 1), !keep_size, team);
   for (Vec3& p : positions) p = fit(p) / fit.scale;
   return 1 / fit.scale;
 }
@@ -88,8 +96,9 @@ FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& 
   result.stress = descent.end.stress;
   result.accepted = level.accepted;
   result.rest = resting_state(result.molecule, potential, minimum.energy, minimum.max_force, minimum.intact);
+  const auto timed = options.running.stage("fitting");
   result.growth = move_to_surface(result.molecule.positions, result.network.atoms.size(), surface,
-                                  result.deformation, options.keep_size);
+                                  result.deformation, options.keep_size, options.running.team);
   return result;
 }
 

@@ -17,23 +17,28 @@ constexpr double force_tolerance = 2e-3;  // eV/Angstrom
 
 Released spring_back(const annealing::SwitchingState& state, const annealing::TetherSurface& surface,
                      bool with_scale) {
+  const auto timed = state.running.stage("released");
   const auto count = static_cast<double>(state.positions.size());
   annealing::FixedBondModel model;
   model.rebo2.set_graph(annealing::fixed_bond_graph(state.network, state.space));
+  model.running = state.running;
   std::vector<Vec3> positions = state.positions;
   const minimisation::LbfgsResult released = annealing::minimise_fixed_bonds(
       model, nullptr, positions, {.max_iterations = iterations, .force_tolerance = force_tolerance});
   Released result;
   result.energy = released.energy / count;
-  const annealing::Similarity fit = annealing::fit_to_surface(positions, surface, with_scale);
+  const annealing::Similarity fit =
+      annealing::fit_to_surface(positions, surface, with_scale, state.running.team);
   for (const Vec3& p : positions) result.mean_distance += surface.distance(fit(p)) / count;
   return result;
 }
 
 Released spring_back_in_cell(const annealing::SwitchingState& state, const TriangleMesh& surface,
                              minimisation::CellRelaxation strains, Mat3& deformation) {
+  const auto timed = state.running.stage("released");
   deformation.setIdentity();
   annealing::FixedBondModel model;
+  model.running = state.running;
   model.rebo2.set_graph(annealing::fixed_bond_graph(state.network, state.space));
   std::vector<Vec3> positions = state.positions;
   annealing::minimise_fixed_bonds(model, nullptr, positions,
@@ -47,7 +52,8 @@ Released spring_back_in_cell(const annealing::SwitchingState& state, const Trian
   TriangleMesh strained = surface;
   mesh::deform(strained, deformation);
   const annealing::TetherSurface tether_surface(strained, 1);
-  const annealing::Similarity fit = annealing::fit_to_surface(molecule.positions, tether_surface, false);
+  const annealing::Similarity fit =
+      annealing::fit_to_surface(molecule.positions, tether_surface, false, state.running.team);
   const auto count = static_cast<double>(molecule.size());
   Released result{.energy = relaxed.minimum.energy / count, .mean_distance = 0};
   for (const Vec3& p : molecule.positions) result.mean_distance += tether_surface.distance(fit(p)) / count;
