@@ -77,13 +77,17 @@ building::BuildResult build_naming_the_file(const std::string& file, const Trian
   }
 }
 
+// The report comes last: it tells how long writing the others took.
 void write_outputs(const BuildCommand& command, const building::BuildResult& result,
-                   const nlohmann::ordered_json& report) {
+                   nlohmann::ordered_json& report, StageClock& clock) {
   const std::string made_by = fmt::format("{} (nanocarbon {})", command.command_line, version);
   OutputFiles files;
-  files.add(command.data, [&](std::ostream& out) {
-    molecule::write_lammps_data(out, result.molecule, {command.atom_style, command.margin, made_by});
-  });
+  {
+    const auto stage = StageClock::stage(&clock, "writing");
+    files.add(command.data, [&](std::ostream& out) {
+      molecule::write_lammps_data(out, result.molecule, {command.atom_style, command.margin, made_by});
+    });
+  }
   if (command.xyz)
     files.add(*command.xyz, [&](std::ostream& out) { molecule::write_xyz(out, result.molecule, made_by); });
   if (command.triangulation) {
@@ -96,10 +100,13 @@ void write_outputs(const BuildCommand& command, const building::BuildResult& res
                        {.colours = &colours});
     });
   }
-  if (command.report) files.add(*command.report, [&](std::ostream& out) { out << report.dump(2) << '\n'; });
   if (command.page)
     files.add(*command.page,
               [&](std::ostream& out) { page::write_page(out, build_page(command, result, report)); });
+  if (command.report) {
+    report["stages"] = building::stages_json(clock);
+    files.add(*command.report, [&](std::ostream& out) { out << report.dump(2) << '\n'; });
+  }
   files.publish();
 }
 
@@ -150,8 +157,12 @@ void run(BuildCommand& command) {
   if (command.length) options.size = building::LongestSide{*command.length};
   if (command.scale) options.size = building::UnitScale{*command.scale};
 
-  mesh::LoadedSurface surface =
-      load_surface(command.mesh, command.surface, !command.no_repair, cell_request(command.cell));
+  StageClock clock;
+  options.clock = &clock;
+  mesh::LoadedSurface surface = [&] {
+    const auto stage = StageClock::stage(&clock, "reading");
+    return load_surface(command.mesh, command.surface, !command.no_repair, cell_request(command.cell));
+  }();
   const auto tell = [&](const char* kind, const std::vector<std::string>& facts) {
     if (command.common.quiet) return;
     for (const std::string& fact : facts)
@@ -181,9 +192,9 @@ void run(BuildCommand& command) {
     tell("warning", {fmt::format("the largest remaining force is {:.1e} eV/A, not below the {:.1e} asked for",
                                  result.rest->max_force, options.force_tolerance)});
   if (result.annealed) warn_of_facing_sheets(result.molecule, options.potential, tell);
-  const auto report =
+  auto report =
       building::build_report(result, options, {command.command_line, command.mesh, surface.repairs});
-  write_outputs(command, result, report);
+  write_outputs(command, result, report, clock);
   if (!command.common.quiet) fmt::print("{}\n{}", command.data.string(), building::report_table(report));
   require_proof(command, result);
 }
