@@ -178,7 +178,13 @@ Tiling freeze(SurfaceGuide& guide, double spacing, std::size_t faces, const Anne
 //! \return nothing where a coarse level cannot show the shape without turned or folded triangles
 std::optional<Tiling> freeze_coarse_to_fine(SurfaceGuide& guide, double spacing, int levels,
                                             const Effort& effort, const CrystalOptions& options) {
-  AnnealingSchedule schedule{effort.coarse_steps, effort.hot, coldest, options.seed};
+  // Each level is taken for the same share of the work.
+  int done = 0;
+  AnnealingSchedule schedule{effort.coarse_steps, effort.hot, coldest, options.seed, [&](double share) {
+                               if (options.progress)
+                                 options.progress("crystallising coarse to fine",
+                                                  0.05 + 0.85 * (done + share) / (levels + 1));
+                             }};
   double coarse_spacing = std::ldexp(spacing, levels);
   Tiling tiling =
       freeze(guide, coarse_spacing, (options.faces >> (2 * levels + 1)) * 2, schedule, options.team);
@@ -199,6 +205,7 @@ std::optional<Tiling> freeze_coarse_to_fine(SurfaceGuide& guide, double spacing,
       return large && unsound_vertices(tiling).empty();
     };
     if (!unfolded()) return std::nullopt;
+    ++done;
     anneal_particles(tiling, coarse_spacing, schedule);
     if (level > 0 && !unsound_vertices(tiling).empty() && !(large && unfolded())) return std::nullopt;
   }
@@ -231,7 +238,8 @@ Tiling crystallise_once(SurfaceGuide& guide, double spacing, const CrystalOption
   }
   if (!tiling) {
     report("crystallising", 0.3);
-    const AnnealingSchedule schedule{effort.single_steps, effort.hot, coldest, options.seed};
+    const AnnealingSchedule schedule{effort.single_steps, effort.hot, coldest, options.seed,
+                                     [&](double share) { report("crystallising", 0.3 + 0.6 * share); }};
     tiling = freeze(guide, spacing, options.faces, schedule, options.team);
   }
   const std::size_t reached = tiling->table.live_triangles();

@@ -293,6 +293,7 @@ AnnealingResult anneal_particles(Tiling& tiling, double spacing, const Annealing
     const double temperature = schedule.hot + (schedule.cold - schedule.hot) * progress;
     kick(velocities, keep, std::sqrt(temperature * (1 - keep * keep)), random, tiling.team);
     hold(tiling, velocities);
+    if (schedule.progress) schedule.progress(progress);
   }
   return result;
 }

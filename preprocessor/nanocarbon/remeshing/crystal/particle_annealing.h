@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "nanocarbon/remeshing/crystal/tiling.h"
 
@@ -15,6 +16,8 @@ struct AnnealingSchedule {
   double hot = 2.0;   //!< temperature at the start; the flat crystal melts near 2.5
   double cold = 0.2;  //!< at the end
   std::uint64_t seed = 1;
+  //! Called now and then with the share of the steps that are done; may throw, to end it; may be empty.
+  std::function<void(double share)> progress = {};
 };
 
 //! What an annealing did.
