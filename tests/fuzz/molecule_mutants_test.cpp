@@ -114,9 +114,9 @@ TEST_P(MoleculeMutants, BeginFromWhatIsRead) {
   EXPECT_GT(test::atoms_read(seed.contents, seed.file, options), 0u) << seed.file;
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryFormat, MoleculeMutants, testing::Range<std::size_t>(0, 16));
+INSTANTIATE_TEST_SUITE_P(EveryFormat, MoleculeMutants, testing::Range<std::size_t>(0, 17));
 
-TEST(MoleculeMutantSeeds, AreAllUsed) { EXPECT_EQ(test::molecule_seeds().size(), 16u); }
+TEST(MoleculeMutantSeeds, AreAllUsed) { EXPECT_EQ(test::molecule_seeds().size(), 17u); }
 
 }  // namespace
 }  // namespace nanocarbon
