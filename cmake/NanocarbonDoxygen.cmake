@@ -24,3 +24,6 @@ set(DOXYGEN_HAVE_DOT NO)
 set(DOXYGEN_USE_MATHJAX NO)
 doxygen_add_docs(doxygen preprocessor/nanocarbon WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
                  COMMENT "The library's reference: ${PROJECT_BINARY_DIR}/reference/html/index.html")
+# Doxygen leaves the pages of headers that are gone.
+add_custom_target(doxygen_clear COMMAND ${CMAKE_COMMAND} -E rm -rf ${DOXYGEN_OUTPUT_DIRECTORY}/html VERBATIM)
+add_dependencies(doxygen doxygen_clear)
