@@ -65,10 +65,21 @@ TEST(PotentialChoice, AireboKeepsNestedSpheresApart) {
     }
 }
 
+// More than 2,000 atoms: where minimisation is preconditioned, shells have flown hundreds of Angstrom apart.
+TEST(PotentialChoice, ShellsStayWithinEachOther) {
+  for (const PotentialChoice choice : {PotentialChoice::rebo2, PotentialChoice::airebo}) {
+    const BuildResult result = build_molecule(nested_spheres(8, 3.5, 3), draft_at_scale(choice));
+    ASSERT_GT(result.molecule.size(), 2000u);
+    EXPECT_EQ(topology::connected_components(result.molecule.size(), result.molecule.bonds).count, 3u);
+    for (const Vec3& p : result.molecule.positions) EXPECT_LT(p.norm(), 18);
+  }
+}
+
+// As far apart as in real onions: C60 in C240 in C540.
 TEST(PotentialChoice, AireboKeepsATripleOnionApart) {
   BuildOptions options = draft_at_scale(PotentialChoice::airebo);
   options.quality = Quality::good;
-  const BuildResult result = build_molecule(nested_spheres(8, 3.4, 3), options);
+  const BuildResult result = build_molecule(nested_spheres(8, 3.5, 3), options);
   EXPECT_TRUE(result.rest->intact);
   EXPECT_EQ(topology::connected_components(result.molecule.size(), result.molecule.bonds).count, 3u);
   EXPECT_GT(closest_of_different_components(result.molecule), 2.9);

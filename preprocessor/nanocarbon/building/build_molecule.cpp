@@ -284,6 +284,8 @@ std::string advice_after(const TooFewAtoms& error, const TriangleMesh& surface, 
       sized_without_specks(surface, options.size, options.bond_length, options.drop_specks, ignored);
   const double atoms = mesh::area(sized.mesh) / area_per_atom(options.bond_length);
   SizeSearch search = search_of(sized.mesh, options);
+  // Drafts are made of what will be built: another scale rounds differently, and may hold where that does not.
+  search.holds = search_of(surface, options).holds;
   // What has been tried and failed says more than the check: then larger ones are tried as well.
   const bool was_tried = error.failure() == Failure::failed;
   if (was_tried) search.largest_tried = std::max<std::size_t>(search.largest_tried, 5 * sized.atoms);

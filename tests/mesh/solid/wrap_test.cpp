@@ -122,6 +122,8 @@ TEST(Wrap, SaysWhatItCannotDo) {
   EXPECT_THAT(test::refusal(Failure::unsuitable, [&] { wrap(line, wrap_size(0.1)); }), HasSubstr("area"));
   const std::string fine = test::refusal(Failure::usage, [] { wrap(test::cube(), wrap_size(1e-7)); });
   EXPECT_THAT(fine, HasSubstr("millions of faces"));
+  EXPECT_THAT(test::refusal(Failure::usage, [] { wrap(test::cube(), wrap_size(2.0)); }),
+              HasSubstr("larger than the whole"));
   EXPECT_THAT(test::refusal(Failure::usage, [] { wrap(test::cube(), {0.1, 1e-6}); }), HasSubstr("offset"));
   EXPECT_THAT(test::refusal(Failure::usage, [] { wrap(test::cube(), {0.1, 5.0}); }), HasSubstr("offset"));
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -115,6 +116,27 @@ TEST(SheetPreconditioner, TakesMoleculesOfAnyKind) {
   preconditioner.apply(right, step);
   EXPECT_GT(dot(right, step), 0);
   EXPECT_NEAR((step.back() - right.back()).norm(), 0, 1e-5);
+}
+
+// No spring ties them to each other, and a small force between them must not send them off.
+TEST(SheetPreconditioner, MovesComponentsByLittle) {
+  Molecule shells = structures::fullerene(8, 8);
+  const std::size_t inner = shells.size();
+  Molecule outer = structures::fullerene(9, 9);
+  shells.positions.insert(shells.positions.end(), outer.positions.begin(), outer.positions.end());
+  shells.elements.insert(shells.elements.end(), outer.elements.begin(), outer.elements.end());
+  for (const Bond& b : outer.bonds)
+    shells.bonds.push_back(
+        {b.first + static_cast<AtomIndex>(inner), b.second + static_cast<AtomIndex>(inner)});
+  const SheetPreconditioner preconditioner = preconditioner_of(shells);
+  std::vector<Vec3> gradient(shells.size(), Vec3::Zero()), step(shells.size());
+  std::fill_n(gradient.begin(), inner, Vec3(0.01, 0, 0));
+  preconditioner.apply(gradient, step);
+  double farthest = 0;
+  for (const Vec3& d : step) farthest = std::max(farthest, d.norm());
+  EXPECT_GT(farthest, 0.01);
+  EXPECT_LT(farthest, 1);
+  EXPECT_GE(preconditioner.strain(step), 0.2 * farthest);
 }
 
 }  // namespace

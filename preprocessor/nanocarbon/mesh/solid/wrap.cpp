@@ -24,14 +24,20 @@ constexpr double smallest_offset = 0.01, largest_offset = 1.0;  // in sizes
 // Both sides of sheets are wrapped, by triangles with edges of about a size and, at creases, smaller ones.
 double faces_expected(double area, double size) { return 10.0 * area / (size * size); }
 
-void require_fitting(const WrapSize& size, double area) {
+void require_fitting(const WrapSize& size, const TriangleMesh& mesh) {
   if (size.offset < smallest_offset * size.size || size.offset > largest_offset * size.size)
     throw UserError(
         Failure::usage,
         fmt::format("a wrap of size {:g} lies from {:g} to {:g} outside of the mesh, "
                     "not {:g}: choose another offset",
                     size.size, smallest_offset * size.size, largest_offset * size.size, size.offset));
-  const double least = std::sqrt(faces_expected(area, 1.0) / most_faces);
+  const double diagonal = bounding_box(mesh.points).extent().norm();
+  if (size.size > diagonal)
+    throw UserError(Failure::usage,
+                    fmt::format("a wrap of size {:g} is larger than the whole mesh, {:g} from corner to "
+                                "corner: nothing of its shape would be left",
+                                size.size, diagonal));
+  const double least = std::sqrt(faces_expected(area(mesh), 1.0) / most_faces);
   if (size.size < least)
     throw UserError(Failure::usage,
                     fmt::format("a wrap of size {:g} would take millions of faces: ask for {:.2g} "
@@ -58,7 +64,7 @@ Wrapped wrap(const PolygonSoup& soup, const WrapSize& size) {
   drop_unused_points(original);
   if (original.triangles.empty())
     throw UserError(Failure::unsuitable, "no face of the mesh has an area that could be wrapped");
-  require_fitting(size, area(original));
+  require_fitting(size, original);
   Wrapped wrapped;
   wrapped.mesh = alpha_wrap(original, size.size, size.offset);
   wrapped.components = mesh_topology(wrapped.mesh).components;

@@ -52,6 +52,25 @@ NodeGraph renumbered(const NodeGraph& graph, std::span<const std::uint32_t> orde
   return result;
 }
 
+bool is_connected(const NodeGraph& graph) {
+  if (graph.size() == 0) return true;
+  std::vector<bool> reached(graph.size(), false);
+  std::vector<std::uint32_t> next = {0};
+  reached[0] = true;
+  std::size_t count = 1;
+  while (!next.empty()) {
+    const std::uint32_t node = next.back();
+    next.pop_back();
+    for (const std::uint32_t n : graph.of(node)) {
+      if (reached[n]) continue;
+      reached[n] = true;
+      ++count;
+      next.push_back(n);
+    }
+  }
+  return count == graph.size();
+}
+
 NodeGraph transposed(const NodeGraph& graph, std::size_t columns) {
   NodeGraph result;
   result.offsets.assign(columns + 1, 0);

@@ -30,6 +30,9 @@ NodeGraph graph_of_pairs(std::size_t nodes, std::span<const std::pair<std::uint3
 //! \param order former number of each node
 NodeGraph renumbered(const NodeGraph& graph, std::span<const std::uint32_t> order);
 
+//! Whether every node can be reached from every other.
+bool is_connected(const NodeGraph& graph);
+
 //! The columns' rows: where each node stands in the rows of a graph.
 //! \param columns one more than the largest node
 NodeGraph transposed(const NodeGraph& graph, std::size_t columns);

@@ -110,6 +110,7 @@ struct SheetPreconditioner::Levels {
   Space space;
   ThreadTeam* team = nullptr;
   NodeGraph bonds;                   // of atoms as they come
+  bool connected = true;             // by bonds
   std::vector<std::uint32_t> order;  // atoms by place
   SheetSprings springs;              // by place
   std::vector<Level> all;
@@ -194,6 +195,7 @@ SheetPreconditioner::SheetPreconditioner(const Space& space, std::span<const Vec
   levels_->space = space;
   levels_->team = team;
   levels_->bonds = bonds;
+  levels_->connected = is_connected(bonds);
   levels_->build(positions, stiffness);
 }
 
@@ -243,12 +245,15 @@ void SheetPreconditioner::apply(std::span<const Vec3> gradient, std::span<Vec3> 
 }
 
 double SheetPreconditioner::strain(std::span<const Vec3> displacement) const {
+  constexpr double share = 0.2;
   return std::sqrt(
       largest_in_chunks(levels_->team, displacement.size(), [&](std::size_t begin, std::size_t end) {
         double largest = 0;
-        for (std::size_t a = begin; a < end; ++a)
+        for (std::size_t a = begin; a < end; ++a) {
+          if (!levels_->connected) largest = std::max(largest, share * share * displacement[a].squaredNorm());
           for (const std::uint32_t n : levels_->bonds.of(a))
             if (n > a) largest = std::max(largest, (displacement[n] - displacement[a]).squaredNorm());
+        }
         return largest;
       }));
 }

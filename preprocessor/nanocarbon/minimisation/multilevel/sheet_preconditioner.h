@@ -38,7 +38,8 @@ class SheetPreconditioner {
   //! The step that would take a gradient of the springs away, with its sign: eV/Angstrom to Angstrom.
   void apply(std::span<const Vec3> gradient, std::span<Vec3> step) const;
 
-  //! How far a displacement moves two bonded atoms against each other, at most.
+  //! How far a displacement moves two bonded atoms against each other, at most. Where there are several components,
+  //! no less than a fifth of how far it moves any atom: they must not pass through each other.
   double strain(std::span<const Vec3> displacement) const;
 
  private:

@@ -21,7 +21,9 @@ using Holds = std::vector<Vec3>;
 
 //! \brief The Hessian of relaxed springs in a sheet at some positions: positive semidefinite for any.
 //! \details Rigid motions cost next to nothing, bending and stretching about what they cost in carbon. Atoms that
-//! are part of no sheet are held to their neighbours softly in all directions.
+//! are part of no sheet are held to their neighbours softly in all directions. Where there are several
+//! components, which no spring ties to each other, all atoms are held to their places, as softly as sheets that face
+//! each other are held apart.
 class SheetSprings {
  public:
   SheetSprings() = default;
@@ -43,6 +45,7 @@ class SheetSprings {
   std::vector<Vec3> positions_, normals_;  // normals of atoms with three neighbours, zero for others
   std::vector<bool> loose_;                // nothing bends about these
   Holds holds_;
+  double anchor_ = 0;  // eV/Angstrom^2, of each atom to its place
 };
 
 }  // namespace nanocarbon::multilevel
