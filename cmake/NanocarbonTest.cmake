@@ -18,7 +18,7 @@ function(nanocarbon_test path)
   target_link_libraries(${program} PRIVATE ${TEST_LINKS} nanocarbon_settings GTest::gmock GTest::gtest_main)
   nanocarbon_precompiled(${program} nanocarbon_test_headers)
   if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 300)
+    set(TEST_TIMEOUT 900)
   endif()
   if(NANOCARBON_SANITIZE OR NANOCARBON_COVERAGE)
     math(EXPR TEST_TIMEOUT "5 * ${TEST_TIMEOUT}")  # they cost about as much
