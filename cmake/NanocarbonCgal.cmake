@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Whether the program has --wrap and --unite. They need CGAL 5.5 or newer, whose packages for that are under
 # GPL-3.0-or-later; so is then the program as a whole. Nothing else links it: neither the plugin nor the installed library.
+# It asks for Boost by a module that CMake 3.30 takes for removed, and would warn of every time.
+set(CMAKE_POLICY_DEFAULT_CMP0167 OLD)
 find_package(CGAL QUIET)  # no version: CGAL 6 says that it does not do for 5.5
+unset(CMAKE_POLICY_DEFAULT_CMP0167)
 if(CGAL_FOUND AND CGAL_VERSION VERSION_LESS 5.5)
   set(CGAL_FOUND FALSE)
 endif()
