@@ -51,16 +51,14 @@ Descent descend(const annealing::AnnealingLevel& level, double left, potential::
   const auto timed = options.running.stage("minimum");
   Molecule molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
   if (options.hydrogen) {
+    const std::size_t carbons = molecule.size();
     molecule = molecule::saturated_with_hydrogen(molecule);
-    if (potential.unbonded_reach() > 0) part_hydrogens(molecule);
+    if (molecule.size() > carbons && potential.unbonded_reach() > 0) part_hydrogens(molecule);
   }
   const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance,
                                                   .team = options.running.team};
-  minimisation::CellMinimum end;
-  if (molecule.cell)
-    end = minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
-  else
-    end.minimum = minimisation::minimise_molecule(molecule, potential, wanted);
+  const minimisation::CellMinimum end =
+      minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
   return {std::move(molecule), end};
 }
 

@@ -204,8 +204,8 @@ struct PairTable {
 
 #if NANOCARBON_LANES == 8
 
-// An estimate of 1 / sqrt(X) good to 14 bits, and the series in its error to the last bits. The divider needs twice as
-// many cycles as all the rest of the loop where it is slow (Intel), and takes no longer where it is fast (Zen 5).
+// An estimate of 1 / sqrt(X) good to 14 bits, and the series in its error to the last bits: faster than the divider on
+// Intel's processors. On Zen 5 an earlier form of this took longer than the divider; this one was not measured there.
 inline Roots roots(Real x) {
   const Real estimate = (Real)_mm512_maskz_rsqrt14_pd(0xff, (__m512d)x);
   const Real product = x * estimate;
