@@ -75,12 +75,11 @@ TEST(PotentialChoice, ShellsStayWithinEachOther) {
   }
 }
 
-// As far apart as in real onions: C60 in C240 in C540. Where pentagons of two shells meet they come to 2.88 to 2.91
-// Angstrom at rest, by the course that annealing takes.
+// Where pentagons of two shells meet they come to 2.88 to 2.91 Angstrom at rest, by the course that annealing takes.
 TEST(PotentialChoice, AireboKeepsATripleOnionApart) {
   BuildOptions options = draft_at_scale(PotentialChoice::airebo);
   options.quality = Quality::good;
-  const BuildResult result = build_molecule(nested_spheres(8, 3.5, 3), options);
+  const BuildResult result = build_molecule(nested_spheres(8, 3.4, 3), options);
   EXPECT_TRUE(result.rest->intact);
   EXPECT_EQ(topology::connected_components(result.molecule.size(), result.molecule.bonds).count, 3u);
   EXPECT_GT(closest_of_different_components(result.molecule), 2.85);
