@@ -18,7 +18,7 @@ SUMMARIES = {
     "nanocarbon": "carbon molecules from triangle meshes, ready for LAMMPS",
     "nanocarbon inspect": "tell what a mesh is, and every reason why it cannot be used",
     "nanocarbon build": "make a carbon molecule from a mesh",
-    "nanocarbon energy": "evaluate the REBO2 potential of a molecule",
+    "nanocarbon energy": "energy and forces of a molecule by REBO2 or AIREBO",
     "nanocarbon analyse": "tell what structures and trajectories of carbon are made of",
     "nanocarbon make": "make known carbon structures, and shapes as meshes",
 }
