@@ -10,6 +10,7 @@
 #include "nanocarbon/annealing/surface_fit.h"
 #include "nanocarbon/building/annealing_schedules.h"
 #include "nanocarbon/building/potential_choice.h"
+#include "nanocarbon/building/turn_components.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/molecule/hydrogens.h"
 
@@ -36,8 +37,8 @@ void part_hydrogens(Molecule& molecule) {
 }
 
 // Without the tether, first on fixed bonds: the way to the minimum may stretch bonds that the end does not.
-Descent descend(const annealing::AnnealingLevel& level, double left, potential::Potential& potential,
-                const AnnealOptions& options) {
+Descent descend(const annealing::AnnealingLevel& level, const TriangleMesh& surface, double left,
+                potential::Potential& potential, const AnnealOptions& options) {
   annealing::FixedBondModel model;
   model.running = options.running;
   model.rebo2.set_graph(annealing::fixed_bond_graph(level.state.network, level.state.space));
@@ -50,13 +51,17 @@ Descent descend(const annealing::AnnealingLevel& level, double left, potential::
   }
   const auto timed = options.running.stage("minimum");
   Molecule molecule = annealing::molecule_of(level.state.network, positions, level.state.space);
+  // REBO2 does not feel how sheets lie on each other.
+  if (potential.unbonded_reach() > 0 && !molecule.cell)
+    turn_components(molecule.positions, topology::connected_components(molecule.size(), molecule.bonds),
+                    surface, options.seed);
   if (options.hydrogen) {
     const std::size_t carbons = molecule.size();
     molecule = molecule::saturated_with_hydrogen(molecule);
     if (molecule.size() > carbons && potential.unbonded_reach() > 0) part_hydrogens(molecule);
   }
   const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance,
-                                                  .team = options.running.team};
+                                                 .team = options.running.team};
   const minimisation::CellMinimum end =
       minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
   return {std::move(molecule), end};
@@ -80,11 +85,11 @@ FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& 
                            potential::Potential& potential, const AnnealOptions& options) {
   if (options.progress) options.progress("minimising", 0);
   level.state.network.hydrogen = options.hydrogen;
-  Descent descent = descend(level, left_on_fixed_bonds, potential, options);
+  Descent descent = descend(level, surface, left_on_fixed_bonds, potential, options);
   for (int mending = 0; mending < mendings && !descent.end.minimum.intact; ++mending) {
     level.sound = false;
     annealing::mend_level(level, annealing::TetherSurface(surface, 1), schedule_for(atoms, options));
-    descent = descend(level, left_once_mended, potential, options);
+    descent = descend(level, surface, left_once_mended, potential, options);
   }
   const minimisation::MinimisationResult& minimum = descent.end.minimum;
   FinalMinimum result;
