@@ -84,11 +84,11 @@ std::string broken_with_cell(const mesh::PolygonSoup& soup) {
 
 }  // namespace
 
-std::string broken_promise(std::string_view contents, const std::string& file) {
+std::string broken_promise(std::string_view contents, const std::string& file, Depth depth) {
   try {
     const mesh::PolygonSoup soup = mesh::parse_mesh(contents, file);
     const std::string broken = broken_by_soup(soup);
-    if (!broken.empty()) return broken;
+    if (!broken.empty() || depth == Depth::reading) return broken;
     return broken_with_cell(soup);
   } catch (const UserError& error) {
     return std::string_view(error.what()).find(file) == std::string_view::npos
