@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "nanocarbon/potential/airebo/lj/hilbert_order.h"
+#include "nanocarbon/potential/airebo/lj/compact_order.h"
 
 namespace nanocarbon::airebo {
 
@@ -27,7 +27,7 @@ void for_all_pairs(const LjHalfList& half, const Action& action) {
 std::vector<std::uint32_t> in_order(const std::vector<std::uint32_t>& atoms, const double* positions) {
   std::vector<Vec3> points(atoms.size());
   for (std::size_t a = 0; a < atoms.size(); ++a) points[a] = Vec3::Map(positions + 3 * std::size_t{atoms[a]});
-  std::vector<std::uint32_t> order = hilbert_order(points);
+  std::vector<std::uint32_t> order = compact_order(points, lj_lanes);
   for (std::uint32_t& o : order) o = atoms[o];
   return order;
 }

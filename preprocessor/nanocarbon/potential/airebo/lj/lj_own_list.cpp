@@ -7,7 +7,7 @@
 #include <map>
 
 #include "nanocarbon/potential/airebo/lj/box_tree.h"
-#include "nanocarbon/potential/airebo/lj/hilbert_order.h"
+#include "nanocarbon/potential/airebo/lj/compact_order.h"
 
 namespace nanocarbon::airebo {
 
@@ -91,7 +91,7 @@ class Arrangement {
     std::vector<Vec3> points(group.size());
     for (std::size_t s = 0; s < group.size(); ++s) points[s] = place(group[s]);
     std::vector<std::uint32_t> atoms, images;
-    for (const std::uint32_t s : hilbert_order(points)) {
+    for (const std::uint32_t s : compact_order(points, lj_lanes)) {
       atoms.push_back(group[s].atom);
       images.push_back(number(group[s].image));
     }
