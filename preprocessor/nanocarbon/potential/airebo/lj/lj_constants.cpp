@@ -16,6 +16,15 @@ void for_all_lanes(const Action& action) {
       for (int lane = 0; lane < lj_lanes; ++lane) action(own, hydrogens, lane, own + (hydrogens >> lane & 1));
 }
 
+LjShape in_angstrom(LjShape shape, double scale, double strength) {
+  const double scale_4 = scale * scale * scale * scale;
+  for (double& c : shape.well) c *= strength / scale_4;
+  for (double& c : shape.steep) c *= strength / (scale_4 * scale * scale * scale);
+  shape.to_switch = std::sqrt(scale);
+  shape.cutoff_squared /= scale;
+  return shape;
+}
+
 }  // namespace
 
 LjConstants make_lj_constants(const LjParameters& parameters) {
@@ -26,8 +35,6 @@ LjConstants make_lj_constants(const LjParameters& parameters) {
   c.begin = window ? parameters.switch_begin / width : 1e300;
   const double inverse_width_6 = std::pow(width, -6);
   c.slope_to_a = -std::numbers::ln2 / 3.0;
-  const double cutoff = std::min(parameters.cutoff, parameters.switch_end) / width;
-  c.cutoff_squared = cutoff * cutoff;
   for_all_lanes([&](std::size_t own, std::size_t hydrogens, int lane, std::size_t pair) {
     const LjPairParameters& p = parameters.pairs[pair];
     LjPairLanes& to = c.pair[own][hydrogens];
@@ -39,9 +46,15 @@ LjConstants make_lj_constants(const LjParameters& parameters) {
       to.offset[lane] = p.morse_decay * p.morse_equilibrium / std::numbers::ln2;
     } else {
       to.strength[lane] = 24.0 * p.epsilon * to.scale[lane] * inverse_width_6;
-      to.steepness[lane] = to.strength[lane] * inverse_width_6;
     }
   });
+  const double cutoff = std::min(parameters.cutoff, parameters.switch_end) / width;
+  c.scaled = {1.0,
+              {2.0 * inverse_width_6, (2.0 + c.begin) * inverse_width_6, -3.0 * inverse_width_6},
+              {1.0, 1.0 + c.begin, -1.0},
+              cutoff * cutoff};
+  const LjPairLanes& carbons = c.pair[0][0];
+  c.carbon = in_angstrom(c.scaled, carbons.scale[0], carbons.strength[0]);
   return c;
 }
 

@@ -8,10 +8,11 @@
 //! linker could take the copy made for the newest instructions for the whole program.
 //!
 //! Lengths are in units of sigma * width, width = switch_end - switch_begin of LjParameters: with
-//! X = r^2 / (sigma width)^2 and q = 1 / X the switch's argument is t = sqrt(X) - begin. With m = 1 - t and
-//! n = 1 + 2 t, slw = m^2 n and d slw / dt = -6 t m. The force on i is f (x_i - x_j),
-//!     Lennard-Jones: f = q^4 m [s (2 c q^3 - 1) m n + s (c q^3 - 1) t sqrt(X)],   c = width^-6,
-//!     Morse:         f = s y m [a (y - 1) m n + (y - 2) t] / sqrt(X),          y = 2^(k sqrt(X) + h).
+//! X = r^2 / (sigma width)^2 and q = 1 / X the switch's argument is t = sqrt(X) - begin. With m = 1 - t, slw =
+//! m^2 (1 + 2 t) and d slw / dt = -6 t m. The force on i is f (x_i - x_j),
+//!     Lennard-Jones: f = s q^4 m [c q^3 (2 + (2 + begin) t - 3 t^2) - (1 + (1 + begin) t - t^2)],   c = width^-6,
+//!     Morse:         f = s y m [a (y - 1) m (1 + 2 t) + (y - 2) t] / sqrt(X),          y = 2^(k sqrt(X) + h).
+//! The first holds outside the window as well: t is 0 before it, and m is 0 beyond.
 
 #include <cstddef>
 #include <cstdint>
@@ -43,17 +44,26 @@ struct LjRow {
 
 //! Parameters of a pair by lane; the formulas are at the top.
 struct LjPairLanes {
-  double scale[lj_lanes];      //!< 1 / (sigma width)^2, 1/Angstrom^2
-  double strength[lj_lanes];   //!< s: 24 epsilon scale / width^6, or 6 epsilon_M scale, eV/Angstrom^2
-  double steepness[lj_lanes];  //!< s c
-  double slope[lj_lanes];      //!< k = -alpha sigma width / ln 2
-  double offset[lj_lanes];     //!< h = alpha r_eq / ln 2
+  double scale[lj_lanes];     //!< 1 / (sigma width)^2, 1/Angstrom^2
+  double strength[lj_lanes];  //!< s: 24 epsilon scale / width^6, or 6 epsilon_M scale, eV/Angstrom^2
+  double slope[lj_lanes];     //!< k = -alpha sigma width / ln 2
+  double offset[lj_lanes];    //!< h = alpha r_eq / ln 2
+};
+
+//! The Lennard-Jones force f = q^4 m [q^3 steep(t) - well(t)] in some unit of length, with q = 1 / r^2 and t =
+//! r to_switch - begin.
+struct LjShape {
+  double to_switch;
+  double steep[3];  //!< coefficients, by power of t
+  double well[3];
+  double cutoff_squared;  //!< where the sum is cut hard
 };
 
 struct LjConstants {
   double begin;             //!< switch_begin / width
   double slope_to_a;        //!< a = slope_to_a * k, that is -ln 2 / 3
-  double cutoff_squared;    //!< of X, where the sum is cut hard
+  LjShape scaled;           //!< in units of sigma * width, without the strength s
+  LjShape carbon;           //!< of two carbons in Angstrom and eV
   LjPairLanes pair[2][16];  //!< by the own atom's element and the hydrogen lanes
 };
 
