@@ -86,14 +86,18 @@ NearPairs PairAireboOpt::half_pairs(double cutoff) const {
   std::vector<char> has_row(atom->nlocal, 0);
   for (int n = 0; n < half_list_->inum; ++n) has_row[half_list_->ilist[n]] = 1;
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (has_row[i])
-      for (int n = 0; n < half_list_->numneigh[i]; ++n) {
-        const int j = half_list_->firstneigh[i][n] & NEIGHMASK;
-        double squared = 0.0;
-        for (int d = 0; d < 3; ++d) squared += (x[3 * j + d] - x[3 * i + d]) * (x[3 * j + d] - x[3 * i + d]);
-        if (squared < cutoff * cutoff) pairs.atoms.push_back(static_cast<std::uint32_t>(j));
-      }
-    pairs.offsets.push_back(static_cast<std::uint32_t>(pairs.atoms.size()));
+    const int* row = half_list_->firstneigh[i];
+    const int count = has_row[i] ? half_list_->numneigh[i] : 0;
+    std::size_t end = pairs.atoms.size();
+    pairs.atoms.resize(end + count);
+    for (int n = 0; n < count; ++n) {  // without branches
+      const int j = row[n] & NEIGHMASK;
+      const double a = x[3 * j] - x[3 * i], b = x[3 * j + 1] - x[3 * i + 1], c = x[3 * j + 2] - x[3 * i + 2];
+      pairs.atoms[end] = static_cast<std::uint32_t>(j);
+      end += a * a + b * b + c * c < cutoff * cutoff;
+    }
+    pairs.atoms.resize(end);
+    pairs.offsets.push_back(static_cast<std::uint32_t>(end));
   }
   return pairs;
 }

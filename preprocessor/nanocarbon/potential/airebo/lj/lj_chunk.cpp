@@ -9,21 +9,34 @@ namespace nanocarbon::airebo {
 
 namespace {
 
-//! The largest squared distance between places; infinite where one is not a number.
-double farthest_squared(const std::vector<LjCluster>& now, const std::vector<LjCluster>& then) {
-  double largest[lj_lanes] = {};
-  double sum = 0.0;  // not a number as soon as one of them is not
-  for (std::size_t c = 0; c < now.size(); ++c)
+//! The farthest that atoms have moved; infinite where a place is not a number.
+class Farthest {
+ public:
+  void add(const LjCluster& now, const LjCluster& then) {
     for (int l = 0; l < lj_lanes; ++l) {
-      const double x = now[c].position[0][l] - then[c].position[0][l];
-      const double y = now[c].position[1][l] - then[c].position[1][l];
-      const double z = now[c].position[2][l] - then[c].position[2][l];
+      const double x = now.position[0][l] - then.position[0][l];
+      const double y = now.position[1][l] - then.position[1][l];
+      const double z = now.position[2][l] - then.position[2][l];
       const double squared = x * x + y * y + z * z;
-      largest[l] = largest[l] > squared ? largest[l] : squared;
-      sum += squared;
+      largest_[l] = largest_[l] > squared ? largest_[l] : squared;
+      sum_[l] += squared;
     }
-  if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
-  return *std::max_element(largest, largest + lj_lanes);
+  }
+  double distance() const {
+    const double sum = sum_[0] + sum_[1] + sum_[2] + sum_[3];
+    if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
+    return std::sqrt(*std::max_element(largest_, largest_ + lj_lanes));
+  }
+
+ private:
+  double largest_[lj_lanes] = {};
+  double sum_[lj_lanes] = {};  // not a number as soon as one of them is not
+};
+
+double farthest(const std::vector<LjCluster>& now, const std::vector<LjCluster>& then) {
+  Farthest moved;
+  for (std::size_t c = 0; c < now.size(); ++c) moved.add(now[c], then[c]);
+  return moved.distance();
 }
 
 LjCounts search(const LjChunk& chunk, std::span<const LjRow> rows, std::span<const LjEntry> entries,
@@ -44,6 +57,8 @@ LjCounts search(const LjChunk& chunk, std::span<const LjRow> rows, std::span<con
 }  // namespace
 
 double place_atoms(LjChunk& chunk, const double* positions, std::span<const Vec3> translations) {
+  const bool was_searched = !chunk.searched.empty();
+  Farthest moved;
   for (std::size_t c = 0; c < chunk.clusters.size(); ++c) {
     LjCluster& cluster = chunk.clusters[c];
     for (int l = 0; l < lj_lanes; ++l) {
@@ -57,9 +72,9 @@ double place_atoms(LjChunk& chunk, const double* positions, std::span<const Vec3
       }
     for (auto& component : cluster.force)
       for (double& f : component) f = 0.0;
+    if (was_searched) moved.add(cluster, chunk.searched[c]);
   }
-  if (chunk.searched.empty()) return std::numeric_limits<double>::infinity();
-  return std::sqrt(farthest_squared(chunk.clusters, chunk.searched));
+  return was_searched ? moved.distance() : std::numeric_limits<double>::infinity();
 }
 
 void search_rows(LjChunk& chunk, const LjKernel& kernel, const LjParameters& parameters, double margin) {
@@ -68,7 +83,7 @@ void search_rows(LjChunk& chunk, const LjKernel& kernel, const LjParameters& par
   chunk.rows.resize(counts.rows);
   chunk.entries.resize(counts.entries);
   chunk.searched = chunk.clusters;
-  if (!chunk.listed.empty()) chunk.strayed = std::sqrt(farthest_squared(chunk.clusters, chunk.listed));
+  if (!chunk.listed.empty()) chunk.strayed = farthest(chunk.clusters, chunk.listed);
 }
 
 void list_rows(LjChunk& chunk, std::span<const LjRow> rows, std::span<const LjEntry> entries,

@@ -38,15 +38,13 @@ LjLists lists_from_half_list(const LjHalfList& half, const double* positions,
                              std::span<const Element> elements,
                              std::span<const std::array<std::uint32_t, 2>> exclusions) {
   // Atoms in any pair; those that have rows come first.
-  enum Use : std::uint8_t { none, neighbour, own };
-  std::vector<Use> use(elements.size(), none);
+  constexpr std::uint8_t neighbour = 1, own = 2;
+  std::vector<std::uint8_t> use(elements.size(), 0);
+  for_all_pairs(half, [&](std::uint32_t, std::uint32_t j) { use[j] = neighbour; });
   for (std::size_t r = 0; r < half.rows; ++r) use[static_cast<std::size_t>(half.atoms[r])] = own;
-  for_all_pairs(half, [&](std::uint32_t, std::uint32_t j) {
-    if (use[j] == none) use[j] = neighbour;
-  });
   LjSites sites;
   std::size_t own_sites = 0;
-  for (const Use wanted : {own, neighbour}) {
+  for (const std::uint8_t wanted : {own, neighbour}) {
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t a = 0; a < use.size(); ++a)
       if (use[a] == wanted) atoms.push_back(a);
@@ -62,39 +60,34 @@ LjLists lists_from_half_list(const LjHalfList& half, const double* positions,
     if (site_of[i] != nowhere && site_of[j] != nowhere) excluded.push_back({site_of[i], site_of[j]});
   const LjExcluded excluded_sites(std::move(excluded), sites.atoms.size());
 
-  // Pairs of own atoms go to the one that comes first, so that rows have whole clusters.
-  const auto with_own_first = [&](std::uint32_t i, std::uint32_t j, const auto& action) {
-    const std::uint32_t a = site_of[i], b = site_of[j];
-    if (use[j] == own && b < a)
-      action(b, a);
-    else
-      action(a, b);
-  };
+  // Pairs of own atoms go to the one that comes first, so that rows have whole clusters; other atoms come after all of
+  // these. Here and below without branches, since which way they go is hard to guess for a processor.
   std::vector<std::size_t> offsets(lj_lanes * ((own_sites + lj_lanes - 1) / lj_lanes) + 1, 0);
-  for_all_pairs(half, [&](std::uint32_t i, std::uint32_t j) {
-    with_own_first(i, j, [&](std::uint32_t a, std::uint32_t) { ++offsets[a + 1]; });
-  });
+  for_all_pairs(half,
+                [&](std::uint32_t i, std::uint32_t j) { ++offsets[std::min(site_of[i], site_of[j]) + 1]; });
   for (std::size_t s = 0; s + 1 < offsets.size(); ++s) offsets[s + 1] += offsets[s];
   std::vector<std::uint32_t> others(offsets.back());
   std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
   for_all_pairs(half, [&](std::uint32_t i, std::uint32_t j) {
-    with_own_first(i, j, [&](std::uint32_t a, std::uint32_t b) { others[next[a]++] = b; });
+    const std::uint32_t a = site_of[i], b = site_of[j];
+    others[next[std::min(a, b)]++] = std::max(a, b);
   });
 
   LjListBuilder builder(sites, excluded_sites, own_sites, chunk_clusters);
   std::vector<std::uint32_t> in_row(sites.clusters(), nowhere);
   std::vector<LjListBuilder::Partner> partners;
   for (std::uint32_t a = 0; a + 1 < offsets.size(); ++a) {
-    partners.clear();
+    partners.resize(offsets[a + 1] - offsets[a]);
+    std::uint32_t count = 0;
     for (std::size_t k = offsets[a]; k < offsets[a + 1]; ++k) {
-      const std::uint32_t cluster = others[k] / lj_lanes;
-      std::uint32_t& at = in_row[cluster];
-      if (at == nowhere) {
-        at = static_cast<std::uint32_t>(partners.size());
-        partners.push_back({cluster, 0});
-      }
-      partners[at].mask |= 1u << others[k] % lj_lanes;
+      const std::uint32_t cluster = others[k] / lj_lanes, lane = 1u << others[k] % lj_lanes;
+      const bool is_new = in_row[cluster] == nowhere;
+      const std::uint32_t at = is_new ? count : in_row[cluster];
+      in_row[cluster] = at;
+      partners[at] = {cluster, is_new ? lane : partners[at].mask | lane};
+      count += is_new;
     }
+    partners.resize(count);
     for (const auto& p : partners) in_row[p.cluster] = nowhere;
     if (!partners.empty()) builder.add_row(a, partners);
   }

@@ -18,8 +18,7 @@ LjValue lj_value(const LjParameters& parameters, std::size_t pair, double r) {
     const double y = std::exp(-p.morse_decay * (r - p.morse_equilibrium));
     v = {p.morse_epsilon * y * (y - 2.0), -2.0 * p.morse_decay * p.morse_epsilon * y * (y - 1.0)};
   } else {
-    const double q = p.sigma / r;
-    const double q6 = std::pow(q, 6);
+    const double q = p.sigma / r, q3 = q * q * q, q6 = q3 * q3;
     v = {4.0 * p.epsilon * q6 * (q6 - 1.0), -24.0 * p.epsilon * q6 * (2.0 * q6 - 1.0) / r};
   }
   const double begin = parameters.switch_begin * p.sigma;
