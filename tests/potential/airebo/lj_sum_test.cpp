@@ -170,17 +170,37 @@ TEST_P(LjSumTest, ForcesAreTheSlopeOfTheEnergy) {
   }
 }
 
+// Of carbon alone, of both elements, and of hydrogen alone, which have loops of their own.
 TEST_P(LjSumTest, ForcesAndVirialDoNotNeedTheEnergy) {
-  const LjSystem system = test::random_system(80, orthogonal_cell({10.0, 11.0, 9.0}), 0.5, 4);
-  for (const LjParameters& parameters : parameter_sets()) {
+  for (const double hydrogens : {0.0, 0.5, 1.0}) {
+    const LjSystem system = test::random_system(80, orthogonal_cell({10.0, 11.0, 9.0}), hydrogens, 4);
+    for (const LjParameters& parameters : parameter_sets()) {
+      LjSum sum = make(parameters);
+      find_pairs(sum, system);
+      ASSERT_TRUE(place(sum, system));
+      const Evaluated full = evaluate(sum, system);
+      ASSERT_TRUE(place(sum, system));
+      const Evaluated less = evaluate(sum, system, {.energy = false, .virial = true});
+      EXPECT_EQ(less.sum.energy, 0.0);
+      EXPECT_LT((less.sum.virial - full.sum.virial).norm(), 1e-12 * full.sum.virial.norm());
+      for (std::size_t i = 0; i < system.size(); ++i)
+        EXPECT_LT((less.forces[i] - full.forces[i]).norm(), 1e-12 * full.forces[i].norm() + 1e-12);
+    }
+  }
+}
+
+// A row has from one pair of atoms up to many, and in the last of its groups any number.
+TEST_P(LjSumTest, RowsOfEveryLengthAreSummed) {
+  const LjParameters parameters = test::published_parameters(LjForm::lennard_jones);
+  for (std::size_t atoms = 2; atoms < 48; ++atoms) {
+    const LjSystem system = test::random_system(atoms, std::nullopt, atoms % 2 == 0 ? 0.0 : 0.3, 100);
     LjSum sum = make(parameters);
     find_pairs(sum, system);
     ASSERT_TRUE(place(sum, system));
     const Evaluated full = evaluate(sum, system);
+    expect_same(full, plain_sum(system, parameters), system.name);
     ASSERT_TRUE(place(sum, system));
-    const Evaluated less = evaluate(sum, system, {.energy = false, .virial = true});
-    EXPECT_EQ(less.sum.energy, 0.0);
-    EXPECT_LT((less.sum.virial - full.sum.virial).norm(), 1e-12 * full.sum.virial.norm());
+    const Evaluated less = evaluate(sum, system, {.energy = false, .virial = false});
     for (std::size_t i = 0; i < system.size(); ++i)
       EXPECT_LT((less.forces[i] - full.forces[i]).norm(), 1e-12 * full.forces[i].norm() + 1e-12);
   }
