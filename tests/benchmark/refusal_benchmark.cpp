@@ -64,7 +64,7 @@ void next_size(benchmark::State& state) {
   const features::FeatureReport report = features::check_features(surface);
   for (auto _ : state) {
     const auto found = features::atoms_for_features(surface, atoms, report);
-    state.counters["atoms"] = static_cast<double>(found.value_or(0));
+    state.counters["atoms"] = static_cast<double>(found.atoms.value_or(0));
   }
 }
 

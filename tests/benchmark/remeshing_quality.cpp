@@ -53,7 +53,7 @@ void print_features(const std::string& name, TriangleMesh surface, std::size_t a
   const double start = cpu_seconds();
   const features::FeatureReport report = features::check_features(surface);
   fmt::print("{}\t{}\t{}\t{:.2f}", name, report.problems.size(),
-             features::atoms_for_features(surface, static_cast<double>(atoms), report).value_or(0),
+             features::atoms_for_features(surface, static_cast<double>(atoms), report).atoms.value_or(0),
              cpu_seconds() - start);
   for (std::size_t k = 0; k < std::min<std::size_t>(report.problems.size(), 3); ++k) {
     const features::FeatureProblem& p = report.problems[k];

@@ -57,8 +57,23 @@ TEST(SizeAdvice, NamesNoneWhereNoneHolds) {
   const TriangleMesh sphere = test::sphere(1, 3);
   const SizeFound found = next_size(search(sphere, 1'000'000, tried), 300, nullptr, 3000);
   EXPECT_FALSE(found.atoms);
-  EXPECT_THAT(advice(found), HasSubstr("no number of atoms up to"));
+  EXPECT_EQ(found.largest_failed, tried.back());
+  EXPECT_THAT(advice(found), HasSubstr(std::to_string(tried.back()) + " atoms do not hold"));
   EXPECT_THAT(advice(found), testing::Not(HasSubstr("--atoms")));
+}
+
+// A wedge that comes to nothing is too thin at any size. That none was found is no word about the number asked for.
+TEST(SizeAdvice, SaysHowFarItLookedWhereFeaturesAreAlwaysTooSmall) {
+  const TriangleMesh wedge{
+      {{0, 0, 0}, {0, 40, 0}, {12, 0, 0.3}, {12, 40, 0.3}, {12, 0, -0.3}, {12, 40, -0.3}},
+      {{0, 3, 1}, {0, 2, 3}, {0, 1, 5}, {0, 5, 4}, {2, 4, 5}, {2, 5, 3}, {0, 4, 2}, {1, 3, 5}}};
+  std::vector<std::size_t> tried;
+  const SizeFound found = next_size(search(wedge, 0, tried), 400, nullptr, 10'000);
+  ASSERT_FALSE(found.atoms);
+  EXPECT_TRUE(tried.empty());
+  EXPECT_GE(found.refused_to, 3e5);
+  EXPECT_THAT(advice(found), HasSubstr("no number of atoms up to 300000 was found"));
+  EXPECT_THAT(advice(found), testing::Not(HasSubstr(" 400 ")));
 }
 
 }  // namespace

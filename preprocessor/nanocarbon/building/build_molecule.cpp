@@ -314,9 +314,11 @@ BuildResult build_fitting(const TriangleMesh& surface, BuildOptions options) {
     tell(options, fmt::format("looking for the smallest size from {:.0f} atoms upwards", from));
     const SizeFound found = next_size(search, from, nullptr, 40'000);
     if (!found.atoms)
-      throw UserError(Failure::size, fmt::format("no number of atoms from {:.0f} to {:.0f} fits the shape; "
-                                                 "force one with --atoms N --force, or change the shape",
-                                                 from, found.searched));
+      throw UserError(
+          Failure::size,
+          fmt::format("no number of atoms from {:.0f} on was found that fits the shape: {}; force "
+                      "one with --atoms N --force, or change the shape",
+                      from, why_none(found)));
     tell(options, fmt::format("building with {} atoms", *found.atoms));
     options.size = AtomCount{*found.atoms};
     try {

@@ -16,7 +16,7 @@ namespace {
 constexpr double step = 1.25;  // to the next size where one does not hold
 constexpr int most_tries = 6;
 
-std::optional<std::size_t> with_room_for_features(const SizeSearch& search, double atoms,
+features::AtomsForFeatures with_room_for_features(const SizeSearch& search, double atoms,
                                                   const features::FeatureReport& report) {
   TriangleMesh scaled = search.surface;
   const double factor = std::sqrt(atoms * area_per_atom(search.bond_length) / mesh::area(scaled));
@@ -31,25 +31,40 @@ SizeFound next_size(const SizeSearch& search, double atoms, const features::Feat
   SizeFound found;
   double wanted = atoms;
   for (int i = 0; i < most_tries; ++i, report = nullptr) {
-    const auto number = with_room_for_features(search, wanted, report ? *report : features::FeatureReport{});
-    found.searched = std::max(found.searched, wanted);
-    if (!number) return found;
-    const auto size = static_cast<double>(*number);
-    if (*number > search.largest_tried) {
-      found.atoms = number;
+    const features::AtomsForFeatures fitting =
+        with_room_for_features(search, wanted, report ? *report : features::FeatureReport{});
+    if (!fitting.atoms) {
+      found.refused_to = fitting.most;
+      return found;
+    }
+    const auto size = static_cast<double>(*fitting.atoms);
+    if (*fitting.atoms > search.largest_tried) {
+      found.atoms = fitting.atoms;
       return found;
     }
     if (size > effort) return found;
     effort -= size;
-    found.searched = size;
-    if (search.holds(*number)) {
-      found.atoms = number;
+    if (search.holds(*fitting.atoms)) {
+      found.atoms = fitting.atoms;
       found.tried = true;
       return found;
     }
+    found.largest_failed = *fitting.atoms;
     wanted = step * size;
   }
   return found;
+}
+
+std::string why_none(const SizeFound& found) {
+  const std::string tried = found.largest_failed > 0
+                                ? fmt::format("drafts of up to {} atoms do not hold", found.largest_failed)
+                                : "";
+  if (found.refused_to > 0)
+    return tried + (tried.empty() ? "" : ", and ") +
+           fmt::format("no number of atoms up to {:.0f} was found that leaves no feature too small",
+                       found.refused_to);
+  return tried.empty() ? "which number of atoms would do takes too long to find out"
+                       : tried + ", and larger ones were not tried";
 }
 
 std::string advice(const SizeFound& found) {
@@ -62,9 +77,7 @@ std::string advice(const SizeFound& found) {
         "the next size that leaves no feature too small is --atoms {}; ask for that, or build anyway with "
         "--force",
         *found.atoms);
-  return fmt::format(
-      "no number of atoms up to {:.0f} was found that works; build anyway with --force, or change the shape",
-      found.searched);
+  return why_none(found) + "; build anyway with --force, or change the shape";
 }
 
 }  // namespace nanocarbon::building

@@ -39,8 +39,11 @@ struct SizeSearch {
 
 struct SizeFound {
   std::optional<std::size_t> atoms;  //!< nothing if none of those looked at works
-  bool tried = false;   //!< a draft with that many atoms held; otherwise only the features were checked
-  double searched = 0;  //!< the largest number that was looked at
+  bool tried = false;  //!< a draft with that many atoms held; otherwise only the features were checked
+  std::size_t largest_failed =
+      0;  //!< the largest number of which a draft was made, which did not hold; 0 for none
+  double refused_to =
+      0;  //!< where it ended with features: no number up to this was found that leaves them room
 };
 
 //! \brief The next number, to two digits, for which the features are large enough and, unless it is too large to try, a
@@ -50,6 +53,9 @@ struct SizeFound {
 //! \param effort atoms of molecules to try in all
 SizeFound next_size(const SizeSearch& search, double atoms, const features::FeatureReport* report,
                     double effort);
+
+//! Why a search found no number, as part of a sentence.
+std::string why_none(const SizeFound& found);
 
 //! The end of a message, with what to ask for.
 std::string advice(const SizeFound& found);

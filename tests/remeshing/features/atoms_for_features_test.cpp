@@ -33,7 +33,7 @@ bool accepted(const TriangleMesh& surface, double atoms) {
 }
 
 std::optional<std::size_t> advice(const TriangleMesh& surface, double atoms) {
-  return atoms_for_features(surface, atoms, check_features(surface));
+  return atoms_for_features(surface, atoms, check_features(surface)).atoms;
 }
 
 //! The largest number of two digits below one.

@@ -29,9 +29,8 @@ constexpr int most_checks = 8;
 
 }  // namespace
 
-std::optional<std::size_t> atoms_for_features(const TriangleMesh& surface, double atoms,
-                                              const FeatureReport& report, const FeatureLimits& limits,
-                                              unsigned threads) {
+AtomsForFeatures atoms_for_features(const TriangleMesh& surface, double atoms, const FeatureReport& report,
+                                    const FeatureLimits& limits, unsigned threads) {
   const double most = std::max(3e5, 4 * atoms);
   std::size_t facets = 0;
   const auto check = [&](double number) {
@@ -49,7 +48,7 @@ std::optional<std::size_t> atoms_for_features(const TriangleMesh& surface, doubl
   double wanted = grown(atoms, report);
   std::optional<TwoDigits> taken;
   for (int checks = 0; !taken; ++checks) {
-    if (!(wanted <= most) || checks == most_checks) return std::nullopt;
+    if (!(wanted <= most) || checks == most_checks) return {std::nullopt, most};
     const TwoDigits next{std::max(TwoDigits::from(wanted).rank, least)};
     const FeatureReport checked = check(next.value());
     if (checked.ok()) taken = next;
@@ -68,7 +67,7 @@ std::optional<std::size_t> atoms_for_features(const TriangleMesh& surface, doubl
       step = std::max<std::size_t>(1, (taken->rank - least) / 2);
     }
   }
-  return static_cast<std::size_t>(std::llround(taken->value()));
+  return {static_cast<std::size_t>(std::llround(taken->value())), most};
 }
 
 }  // namespace nanocarbon::features

@@ -8,6 +8,11 @@
 
 namespace nanocarbon::features {
 
+struct AtomsForFeatures {
+  std::optional<std::size_t> atoms;  //!< none where no number that was looked at would do
+  double most = 0;                   //!< the largest number that would have been taken
+};
+
 //! \brief The next number of atoms that a shape with features that are too small may be asked to hold.
 //!
 //! A number of two digits that check_features() itself has nothing against. It follows from the thinnest places
@@ -18,10 +23,9 @@ namespace nanocarbon::features {
 //! \param surface in Angstrom, with problems at this size
 //! \param atoms that it has room for, not rounded
 //! \param report what check_features() said of it
-//! \return none where no number up to 300,000, or four times those, would do, as for a long wedge sharper
+//! \return none where no number up to 300,000, or four times those, was found, as for a long wedge sharper
 //! than 30 degrees
-std::optional<std::size_t> atoms_for_features(const TriangleMesh& surface, double atoms,
-                                              const FeatureReport& report, const FeatureLimits& limits = {},
-                                              unsigned threads = 1);
+AtomsForFeatures atoms_for_features(const TriangleMesh& surface, double atoms, const FeatureReport& report,
+                                    const FeatureLimits& limits = {}, unsigned threads = 1);
 
 }  // namespace nanocarbon::features
