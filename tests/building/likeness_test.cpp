@@ -48,10 +48,25 @@ TEST(Likeness, OneThatIsFarOrStrainedIsTold) {
   const Molecule molecule = structures::fullerene(3, 3);
   const Likeness far = likeness(molecule, test::sphere(16, 4), 0.1);
   EXPECT_TRUE(far.far());
-  EXPECT_THAT(far.warnings(), testing::ElementsAre(testing::HasSubstr("from the surface on average")));
+  EXPECT_THAT(far.warnings(), testing::ElementsAre(testing::HasSubstr("only roughly")));
   const Likeness strained = likeness(molecule, test::sphere(10.5, 4), 1.6);
   EXPECT_TRUE(strained.strained());
   EXPECT_THAT(strained.warnings(), testing::ElementsAre(testing::HasSubstr("1600 meV per atom")));
+}
+
+// A ball with a thin finger, and a molecule of the ball alone: no atom is far from the surface.
+TEST(Likeness, WhatTheMoleculeLeavesOutOfTheSurfaceIsTold) {
+  const Molecule molecule = structures::fullerene(3, 3);
+  double radius = 0;
+  for (const Vec3& p : molecule.positions) radius += p.norm() / static_cast<double>(molecule.size());
+  TriangleMesh surface = test::sphere(radius, 4);
+  for (Vec3& p : surface.points)
+    if (p.z() > 0.9 * radius) p.z() += 25 * radius * (p.z() / radius - 0.9);
+  const Likeness like = likeness(molecule, surface, 0.1);
+  EXPECT_LT(like.distance_there, 0.5);
+  EXPECT_GT(like.distance_back, 2);
+  EXPECT_EQ(like.distance(), like.distance_back);
+  EXPECT_THAT(like.warnings(), testing::ElementsAre(testing::HasSubstr("the surface lies")));
 }
 
 }  // namespace

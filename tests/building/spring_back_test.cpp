@@ -41,6 +41,19 @@ TEST(SpringBack, AMoleculeAtRestStaysWhereItIs) {
   const double radius = mean_radius(state.positions);
   const Released back = spring_back(state, sphere_of(radius), false);
   EXPECT_LT(back.mean_distance, 0.05);
+  EXPECT_LT(back.left_out, 0.3);  // where its pentagons are flat
+}
+
+TEST(SpringBack, WhatIsLeftOutOfTheSurfaceIsTold) {
+  const annealing::SwitchingState state = fullerene_at_rest(3);
+  const double radius = mean_radius(state.positions);
+  TriangleMesh finger = test::unit_sphere(16);
+  for (Vec3& p : finger.points)
+    if (p.z() > 0.9) p.z() += 25 * (p.z() - 0.9);
+  const Released back = spring_back(state, {finger, radius}, false);
+  EXPECT_LT(back.mean_distance, 0.6);
+  EXPECT_GT(back.left_out, 1.5);
+  EXPECT_EQ(back.distance(), back.left_out);
 }
 
 // A cage held on a sphere that is too large or too small goes back to the radius that it has at rest.

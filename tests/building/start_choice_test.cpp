@@ -37,6 +37,13 @@ TEST(StartChoice, ASofterTetherPrefersWhatIsLower) {
   expect_better(lower, nearer, 0);
 }
 
+// What is left out of the surface counts as much as how far the atoms are from it.
+TEST(StartChoice, TheLargerDistanceCounts) {
+  EXPECT_FALSE(is_near({-7.33, 0.5, 1.01}, default_tether));
+  EXPECT_FALSE(is_near({-7.33, 1.01, 0.5}, default_tether));
+  expect_better({-7.33, 0.9, 0.9}, {-7.39, 0.1, 1.2});
+}
+
 TEST(StartChoice, NoneIsBetterThanItself) {
   EXPECT_FALSE(is_better({-7.36, 1.5}, {-7.36, 1.5}, default_tether));
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "molecule/shapes.h"
+#include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/molecule/dual.h"
 
 namespace nanocarbon::molecule {
@@ -42,9 +43,18 @@ TEST(RingMesh, CoversAFlatSheetsRings) {
   Molecule molecule = dual(test::sheet(4, 3));
   const double hexagon = 3.0 * std::sqrt(3.0) / 2.0 / 3.0;  // of side 1 / sqrt(3)
   EXPECT_NEAR(area(ring_mesh(molecule)), 6.0 * hexagon, 1e-12);
-  // In a cell whose half is shorter than the bonds, every ring counts as crossing its boundary.
-  molecule.cell = orthogonal_cell(Vec3(1, 20, 20), {true, false, false});
-  EXPECT_TRUE(ring_mesh(molecule).triangles.empty());
+}
+
+TEST(RingMesh, ARingThatReachesAcrossACellsBoundaryIsWhole) {
+  Molecule molecule;
+  molecule.cell = orthogonal_cell(Vec3(10, 20, 20), {true, false, false});
+  for (int k = 0; k < 6; ++k) {
+    const double angle = k * std::numbers::pi / 3;
+    molecule.positions.emplace_back(std::fmod(10 + std::cos(angle), 10), std::sin(angle), 0);
+    molecule.rings.atoms.push_back(static_cast<AtomIndex>(k));
+  }
+  molecule.rings.offsets.push_back(6);
+  EXPECT_NEAR(mesh::area(ring_mesh(molecule)), 1.5 * std::sqrt(3.0), 1e-12);
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ class TetherSurface {
   //! thin part may be nearer.
   TangentPlane plane_at(const Vec3& position, const Vec3& facing) const;
 
+  const TriangleMesh& mesh() const { return scaled_; }  //!< Angstrom
   const Space& space() const { return scaled_.space; }
   const BoundaryCurve& boundary() const { return boundary_; }
   double distance(const Vec3& position) const;  //!< to the surface, Angstrom

@@ -50,6 +50,7 @@ bool may_become_better(const annealing::AnnealingLevel& direct, const AnnealedSt
   Released least = spring_back(direct.state, annealing::TetherSurface(surface, 1), !options.keep_size);
   least.energy = rebo2::graphene_energy + least_left * (least.energy - rebo2::graphene_energy);
   least.mean_distance *= least_left;
+  least.left_out *= least_left;
   return is_better(least, best.released, options.tether);
 }
 

@@ -137,10 +137,7 @@ void require_bonds_that_hold(bool intact, const Molecule& molecule, const SizedS
 
 void require_likeness(const Likeness& l) {
   if (!l.far() && !l.strained()) return;
-  const std::string what = l.far() ? fmt::format(
-                                         "its atoms lie {:.1f} A from the surface on average, {:.0f}% of the "
-                                         "shape's radius of {:.1f} A",
-                                         l.distance, 100 * l.distance_share, l.shape_radius)
+  const std::string what = l.far() ? l.distance_told()
                                    : fmt::format(
                                          "its energy is {:.0f} meV per atom above graphene, {:.1f} times the "
                                          "{:.0f} that the shape's curvature and boundary cost",

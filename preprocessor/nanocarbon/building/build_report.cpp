@@ -17,6 +17,7 @@
 #include "nanocarbon/molecule/bond_statistics.h"
 #include "nanocarbon/molecule/boundary_units.h"
 #include "nanocarbon/molecule/hydrogens.h"
+#include "nanocarbon/molecule/ring_mesh.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
 
 namespace nanocarbon::building {
@@ -141,6 +142,12 @@ Json boundary_json(const BuildResult& result, const BuildOptions& options) {
   return json;
 }
 
+// To the faces of the molecule's rings.
+mesh::DistanceStatistics surface_to_atoms(const Molecule& carbon, const TriangleMesh& surface) {
+  const TriangleMesh rings = molecule::ring_mesh(carbon);
+  return rings.triangles.empty() ? mesh::DistanceStatistics{} : mesh::distances_of_area(surface, rings);
+}
+
 Json certificate_json(const minimisation::Certificate& c) {
   return {{"minimum", c.minimum()},       {"max_force", c.max_force}, {"smallest_eigenvalues", c.eigenvalues},
           {"uncertainty", c.uncertainty}, {"complete", c.complete},   {"saddles_left", c.pushes}};
@@ -242,6 +249,7 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
       mesh::distance_between(result.triangulation, result.surface.mesh);
   report["distance"] = {{"atoms_to_surface", distance_json(mesh::distances_to_surface(
                                                  carbon.positions, mesh::NearestPoint(result.surface.mesh)))},
+                        {"surface_to_atoms", distance_json(surface_to_atoms(carbon, result.surface.mesh))},
                         {"surface_to_triangulation", distance_json(triangulation.back)},
                         {"triangulation_to_surface", distance_json(triangulation.there)}};
   if (result.annealed) report["annealing"] = annealed_json(*result.rest, *result.annealed);
@@ -321,12 +329,16 @@ std::string report_table(const Json& report) {
   line("bond angles, degrees",
        fmt::format("mean {:.2f}, deviation {:.2f}", report["bond_angles"]["mean"].get<double>(),
                    report["bond_angles"]["standard_deviation"].get<double>()));
-  const Json& d = report["distance"]["atoms_to_surface"];
+  const auto distances = [&](const char* key) {
+    const Json& d = report["distance"][key];
+    return fmt::format("mean {:.3f}, rms {:.3f}, max {:.3f}", d["mean"].get<double>(), d["rms"].get<double>(),
+                       d["max"].get<double>());
+  };
   const bool compared = report.contains("likeness");
-  line("distance to surface, A",
-       fmt::format("mean {:.3f}, rms {:.3f}, max {:.3f}", d["mean"].get<double>(), d["rms"].get<double>(),
-                   d["max"].get<double>()) +
-           (compared ? fmt::format("; mean {:.1f}% of the shape's radius",
+  line("distance to surface, A", distances("atoms_to_surface"));
+  line("... of surface, A",
+       distances("surface_to_atoms") +
+           (compared ? fmt::format("; the larger mean is {:.1f}% of the shape's radius",
                                    100 * report["likeness"]["distance_to_radius"].get<double>())
                      : ""));
   if (report.contains("remeshing")) {

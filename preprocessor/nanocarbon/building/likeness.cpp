@@ -12,6 +12,7 @@
 #include "nanocarbon/mesh/distance.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/nearest_point.h"
+#include "nanocarbon/molecule/ring_mesh.h"
 #include "nanocarbon/remeshing/crystal/surface_guide.h"
 
 namespace nanocarbon::building {
@@ -69,8 +70,18 @@ double expected_energy(const TriangleMesh& surface, std::size_t atoms, Boundary 
   return energy / static_cast<double>(atoms);
 }
 
+double Likeness::distance() const { return std::max(distance_there, distance_back); }
+
+std::string Likeness::distance_told() const {
+  return fmt::format("{} on average, {:.0f}% of the shape's radius of {:.1f} A",
+                     distance_back > distance_there
+                         ? fmt::format("the surface lies {:.1f} A from the molecule", distance_back)
+                         : fmt::format("the atoms lie {:.1f} A from the surface", distance_there),
+                     100 * distance_share, shape_radius);
+}
+
 bool Likeness::far() const {
-  return beyond(distance_share, distance_share_to_refuse, distance, distance_to_refuse);
+  return beyond(distance_share, distance_share_to_refuse, distance(), distance_to_refuse);
 }
 
 bool Likeness::strained() const {
@@ -79,11 +90,8 @@ bool Likeness::strained() const {
 
 std::vector<std::string> Likeness::warnings() const {
   std::vector<std::string> told;
-  if (beyond(distance_share, distance_share_to_warn, distance, distance_to_warn))
-    told.push_back(
-        fmt::format("the atoms lie {:.1f} A from the surface on average, {:.0f}% of the shape's radius of "
-                    "{:.1f} A: the molecule follows the shape only roughly",
-                    distance, 100 * distance_share, shape_radius));
+  if (beyond(distance_share, distance_share_to_warn, distance(), distance_to_warn))
+    told.push_back(distance_told() + ": the molecule follows the shape only roughly");
   if (beyond(energy_share, energy_share_to_warn, energy, energy_to_warn))
     told.push_back(
         fmt::format("the molecule's energy is {:.0f} meV per atom above graphene, {:.1f} times the {:.0f} "
@@ -95,8 +103,10 @@ std::vector<std::string> Likeness::warnings() const {
 Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double energy, Boundary boundary) {
   Likeness result;
   result.shape_radius = std::sqrt(mesh::area(surface) / (4 * std::numbers::pi));
-  result.distance = mesh::distances_to_surface(molecule.positions, mesh::NearestPoint(surface)).mean;
-  result.distance_share = result.distance / result.shape_radius;
+  result.distance_there = mesh::distances_to_surface(molecule.positions, mesh::NearestPoint(surface)).mean;
+  const TriangleMesh rings = molecule::ring_mesh(molecule);
+  if (!rings.triangles.empty()) result.distance_back = mesh::distances_of_area(surface, rings).mean;
+  result.distance_share = result.distance() / result.shape_radius;
   result.energy = energy;
   result.expected_energy = expected_energy(surface, molecule.size(), boundary);
   result.energy_share = energy / std::max(result.expected_energy, 1e-6);

@@ -13,8 +13,8 @@ namespace nanocarbon::building {
 
 //! \name Above the first limit of each kind there is a warning, above the second a molecule does not have the shape.
 //! @{
-//! Mean distance of the atoms from the surface over the shape's radius; counts only if the distance is also above so
-//! many Angstrom.
+//! Mean distance, of the atoms from the surface or of the surface from the molecule, over the shape's radius; counts only
+//! if the distance is also above so many Angstrom.
 inline constexpr double distance_share_to_warn = 0.10, distance_to_warn = 1.5;
 inline constexpr double distance_share_to_refuse = 0.25, distance_to_refuse = 3.0;
 //! Energy above graphene over what the surface's curvature and boundary cost; counts only if the energy is also above so
@@ -26,12 +26,16 @@ inline constexpr double energy_share_to_refuse = 8.0, energy_to_refuse = 0.40;
 //! How well a molecule has the shape of its surface.
 struct Likeness {
   double shape_radius = 0;     //!< of the sphere with the surface's area, Angstrom
-  double distance = 0;         //!< mean distance of the atoms from the surface, Angstrom
-  double distance_share = 0;   //!< the distance over the radius
+  double distance_there = 0;   //!< mean distance of the atoms from the surface, Angstrom
+  double distance_back = 0;    //!< mean distance of the surface from the molecule, Angstrom
+  double distance_share = 0;   //!< the larger of them over the radius
   double energy = 0;           //!< above graphene, eV per atom
   double expected_energy = 0;  //!< of the surface above graphene, by expected_energy(), eV per atom
   double energy_share = 0;     //!< the energy over that
 
+  double distance() const;  //!< the larger of the two, Angstrom
+  //! "the atoms lie 2.0 A from the surface on average, 12% of ...": of the larger of the two distances.
+  std::string distance_told() const;
   bool far() const;       //!< above the second limit of distance
   bool strained() const;  //!< above the second limit of energy
   //! A sentence for each first limit that is exceeded.
@@ -47,8 +51,8 @@ struct Likeness {
 double expected_energy(const TriangleMesh& surface, std::size_t atoms,
                        Boundary boundary = Boundary::hydrogen);
 
+//! \param molecule carbon alone, with its rings
 //! \param surface Angstrom, of the size that fits the molecule
-//! \param molecule carbon alone
 //! \param energy above graphene, eV per atom
 Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double energy,
                   Boundary boundary = Boundary::hydrogen);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/spring_back.h"
 
+#include <vector>
+
 #include "nanocarbon/annealing/fixed_bond_model.h"
 #include "nanocarbon/annealing/surface_fit.h"
 #include "nanocarbon/building/potential_choice.h"
+#include "nanocarbon/mesh/distance.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
+#include "nanocarbon/molecule/ring_mesh.h"
 
 namespace nanocarbon::building {
 
@@ -12,6 +16,20 @@ namespace {
 
 constexpr int iterations = 3000;
 constexpr double force_tolerance = 2e-3;  // eV/Angstrom
+
+struct Apart {
+  double there = 0, back = 0;  // Angstrom
+};
+
+Apart mean_distances(const annealing::TrivalentNetwork& network, const std::vector<Vec3>& positions,
+                     const annealing::TetherSurface& surface) {
+  Apart apart;
+  for (const Vec3& p : positions) apart.there += surface.distance(p) / static_cast<double>(positions.size());
+  const TriangleMesh rings = molecule::ring_mesh(annealing::molecule_of(network, positions, surface.space()));
+  if (!rings.triangles.empty())
+    apart.back = mesh::distances_of_area(surface.mesh(), rings, positions.size()).mean;
+  return apart;
+}
 
 }  // namespace
 
@@ -25,12 +43,11 @@ Released spring_back(const annealing::SwitchingState& state, const annealing::Te
   std::vector<Vec3> positions = state.positions;
   const minimisation::LbfgsResult released = annealing::minimise_fixed_bonds(
       model, nullptr, positions, {.max_iterations = iterations, .force_tolerance = force_tolerance});
-  Released result;
-  result.energy = released.energy / count;
   const annealing::Similarity fit =
       annealing::fit_to_surface(positions, surface, with_scale, state.running.team);
-  for (const Vec3& p : positions) result.mean_distance += surface.distance(fit(p)) / count;
-  return result;
+  for (Vec3& p : positions) p = fit(p);
+  const Apart apart = mean_distances(state.network, positions, surface);
+  return {.energy = released.energy / count, .mean_distance = apart.there, .left_out = apart.back};
 }
 
 Released spring_back_in_cell(const annealing::SwitchingState& state, const TriangleMesh& surface,
@@ -55,9 +72,9 @@ Released spring_back_in_cell(const annealing::SwitchingState& state, const Trian
   const annealing::Similarity fit =
       annealing::fit_to_surface(molecule.positions, tether_surface, false, state.running.team);
   const auto count = static_cast<double>(molecule.size());
-  Released result{.energy = relaxed.minimum.energy / count, .mean_distance = 0};
-  for (const Vec3& p : molecule.positions) result.mean_distance += tether_surface.distance(fit(p)) / count;
-  return result;
+  for (Vec3& p : molecule.positions) p = fit(p);
+  const Apart apart = mean_distances(state.network, molecule.positions, tether_surface);
+  return {.energy = relaxed.minimum.energy / count, .mean_distance = apart.there, .left_out = apart.back};
 }
 
 }  // namespace nanocarbon::building

@@ -18,13 +18,15 @@ constexpr double price_of_distance = 0.03, price_of_tether = 1.0 / 3;
 double cost(const Released& molecule, double tether) {
   const double price = price_of_distance + price_of_tether * std::max(0.0, tether - default_tether);
   const double for_nothing = near_enough * default_tether / tether;
-  return molecule.energy + price * std::max(molecule.mean_distance - for_nothing, 0.0);
+  return molecule.energy + price * std::max(molecule.distance() - for_nothing, 0.0);
 }
 
 }  // namespace
 
+double Released::distance() const { return std::max(mean_distance, left_out); }
+
 bool is_near(const Released& molecule, double tether) {
-  return molecule.mean_distance * std::min(tether, default_tether) < near_enough * default_tether;
+  return molecule.distance() * std::min(tether, default_tether) < near_enough * default_tether;
 }
 
 bool is_better(const Released& one, const Released& other, double tether) {

@@ -7,10 +7,14 @@ namespace nanocarbon::building {
 struct Released {
   double energy = 0;         //!< eV for each atom
   double mean_distance = 0;  //!< of the atoms to the surface, Angstrom
+  double left_out = 0;       //!< mean distance of the surface to the molecule, Angstrom
+
+  //! The larger of the two: no atom is far from the surface where a molecule leaves out part of it.
+  double distance() const;
 };
 
-//! Whether the atoms lie close enough to the surface: within 1 Angstrom on average, or farther with a tether softer than
-//! the default.
+//! Whether the molecule lies close enough to the surface: within 1 Angstrom on average, or farther with a tether softer
+//! than the default.
 //! \param tether eV/Angstrom^2
 bool is_near(const Released& molecule, double tether);
 

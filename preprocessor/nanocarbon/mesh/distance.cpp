@@ -60,12 +60,26 @@ std::vector<Vec3> sample_by_area(const TriangleMesh& mesh, std::size_t samples) 
   return points;
 }
 
-SurfaceDistance distance_between(const TriangleMesh& mesh, const TriangleMesh& surface, std::size_t samples) {
+namespace {
+
+DistanceStatistics distances_of_area(const TriangleMesh& surface, const TriangleMesh& mesh,
+                                     const NearestPoint& to_mesh, std::size_t samples) {
   if (samples == 0) samples = std::max(mesh.triangles.size(), surface.triangles.size());
+  return distances_to_surface(sample_by_area(surface, samples), to_mesh);
+}
+
+}  // namespace
+
+DistanceStatistics distances_of_area(const TriangleMesh& surface, const TriangleMesh& mesh,
+                                     std::size_t samples) {
+  return distances_of_area(surface, mesh, NearestPoint(mesh), samples);
+}
+
+SurfaceDistance distance_between(const TriangleMesh& mesh, const TriangleMesh& surface, std::size_t samples) {
   SurfaceDistance result;
   result.there = distances_to_surface(mesh.points, NearestPoint(surface));
   const NearestPoint to_mesh(mesh);
-  result.back = distances_to_surface(sample_by_area(surface, samples), to_mesh);
+  result.back = distances_of_area(surface, mesh, to_mesh, samples);
   const DistanceStatistics vertices = distances_to_surface(surface.points, to_mesh);
   if (vertices.max > result.back.max || result.back.points == 0) {
     result.back.max = vertices.max;

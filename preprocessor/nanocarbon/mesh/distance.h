@@ -27,6 +27,11 @@ DistanceStatistics distances_to_surface(std::span<const Vec3> points, const Near
 //! low-discrepancy sequence (R2, Roberts 2018).
 std::vector<Vec3> sample_by_area(const TriangleMesh& mesh, std::size_t samples);
 
+//! From points of a surface, evenly by area, to the triangles of a mesh: what the mesh lacks of the surface shows here.
+//! \param samples how many points; 0 for as many as the larger of the two has triangles
+DistanceStatistics distances_of_area(const TriangleMesh& surface, const TriangleMesh& mesh,
+                                     std::size_t samples = 0);
+
 //! How far two surfaces are from each other, both ways.
 struct SurfaceDistance {
   DistanceStatistics there;  //!< from the points given to the surface

@@ -6,10 +6,8 @@
 
 namespace nanocarbon::molecule {
 
-//! \brief A molecule's surface as a triangle mesh, for pictures: each ring a fan around its centre.
-//! \details Points are the atoms, in their order, then the centres of the rings. Rings that reach across a
-//! periodic boundary are left out; they are told by bonds longer than half the smallest distance between
-//! faces of the cell.
+//! \brief A molecule's surface as a triangle mesh, in its cell if it has one: each ring a fan around its centre.
+//! \details Points are the atoms, in their order, then the centres of the rings.
 //! \pre rings are known (those of dual, or SurfaceTopology::rings)
 TriangleMesh ring_mesh(const Molecule& molecule);
 
