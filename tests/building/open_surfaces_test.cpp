@@ -2,7 +2,10 @@
 // Molecules of surfaces with boundaries, and the hydrogen there.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "nanocarbon/building/build_molecule.h"
 #include "nanocarbon/mesh/distance.h"
@@ -90,6 +93,33 @@ TEST(OpenSurfaces, ABowlDoesNotOpenOut) {
       built(shapes::make_hemisphere(1.0, 0.15), 400, Boundary::hydrogen, Quality::good);
   const mesh::NearestPoint molecule(result.triangulation);
   EXPECT_LT(mesh::distances_to_surface(result.surface.mesh.points, molecule).mean, 1.0);
+}
+
+// Of the sphere that fits the carbon atoms best.
+double fitted_radius(const Molecule& molecule) {
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (AtomIndex a = 0; a < molecule.size(); ++a) {
+    if (molecule.elements[a] != Element::carbon) continue;
+    const Eigen::Vector4d row(2 * molecule.positions[a].x(), 2 * molecule.positions[a].y(),
+                              2 * molecule.positions[a].z(), 1);
+    normal += row * row.transpose();
+    right += molecule.positions[a].squaredNorm() * row;
+  }
+  const Eigen::Vector4d solution = normal.ldlt().solve(right);
+  return std::sqrt(solution[3] + solution.head<3>().squaredNorm());
+}
+
+// Nor into a shallow bowl of a larger sphere, which no atom is far from: by the number of atoms a hemisphere has this
+// radius.
+TEST(OpenSurfaces, AHemisphereKeepsItsRadius) {
+  constexpr double atoms = 600, area_per_atom = 2.6195;
+  const BuildResult result = built(shapes::make_hemisphere(1.0, 0.1), static_cast<std::size_t>(atoms),
+                                   Boundary::hydrogen, Quality::good);
+  const double radius = std::sqrt(atoms * area_per_atom / (2 * std::numbers::pi));
+  EXPECT_NEAR(fitted_radius(result.molecule), radius, 0.03 * radius);
+  EXPECT_NEAR(result.surface.scale, radius, 0.01 * radius);
+  EXPECT_LT(result.likeness->distance(), 1.2);
 }
 
 TEST(OpenSurfaces, AClosedSurfaceHasNoHydrogen) {

@@ -163,13 +163,18 @@ void require_wide_cell(const SizedSurface& surface) {
                   static_cast<std::size_t>(std::ceil(grown * grown * static_cast<double>(surface.atoms)))));
 }
 
+// A closed molecule cannot grow without more atoms, but an open one can become a shallower piece of a larger shape.
+bool may_open_out(const TriangleMesh& surface) {
+  return !surface.space.periodic() && !mesh::mesh_topology(surface).closed();
+}
+
 AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh& surface, ThreadTeam& team) {
   AnnealOptions annealing{.quality = options.quality,
                           .tether = tether_of(options),
                           .force_tolerance = options.force_tolerance,
                           .seed = options.seed,
                           .running = {&team, options.clock},
-                          .keep_size = keeps_size(options.size),
+                          .keep_size = keeps_size(options.size) || may_open_out(surface),
                           .relax_cell = relaxed_strains(options, surface),
                           .hydrogen = options.boundary == Boundary::hydrogen,
                           .progress = options.progress};
