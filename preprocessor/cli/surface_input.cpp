@@ -9,8 +9,8 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/text_numbers.h"
 #include "nanocarbon/mesh/formats/read_mesh.h"
-#include "nanocarbon/mesh/repair/repair_surface.h"
 #include "nanocarbon/mesh/solid/advice.h"
+#include "nanocarbon/mesh/solid/repair_solids.h"
 #include "nanocarbon/mesh/solid/unite.h"
 #include "number_checks.h"
 
@@ -51,8 +51,8 @@ mesh::PolygonSoup wrapped(const mesh::PolygonSoup& soup, const mesh::WrapSize& s
 }
 
 mesh::PolygonSoup united(mesh::PolygonSoup soup, double close_holes) {
-  mesh::RepairedSurface repaired = mesh::repair_surface(soup, close_holes);
-  if (!repaired.diagnosis.topology.manifold()) return soup;  // the reasons are told when it is used
+  mesh::RepairedSolids repaired = mesh::repair_solids(soup, close_holes);
+  if (!repaired.manifold) return soup;  // the reasons are told when it is used
   const mesh::United united = mesh::unite(repaired.mesh);
   return solid_soup(united.mesh, std::move(repaired.repairs), describe(united));
 }

@@ -93,6 +93,31 @@ TEST(Advice, AMoebiusStripBecomesABandThatIsThickEnoughToSee) {
   EXPECT_GT(2.0 * signed_volume(wrapped.mesh) / area(wrapped.mesh), 0.1);
 }
 
+// A box with partitions and no lid, which no ball fits into that fits between them: not a shell of walls, whose corners
+// are filled so that it is thicker than two offsets.
+TEST(Advice, WallsOfAnOpenBoxAreToldToBeAShell) {
+  PolygonSoup box;
+  const auto wall = [&](const Vec3& at, const Vec3& u, const Vec3& v) {
+    const auto first = static_cast<VertexIndex>(box.points.size());
+    box.points.insert(box.points.end(), {at, at + u, at + u + v, at + v});
+    box.corners.insert(box.corners.end(), {first, first + 1, first + 2, first + 3});
+    box.close_face();
+  };
+  for (int i = 0; i <= 4; ++i) {
+    wall({double(i), 0, 0}, {0, 4, 0}, {0, 0, 4});
+    wall({0, double(i), 0}, {4, 0, 0}, {0, 0, 4});
+  }
+  wall({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  ASSERT_FALSE(repair_surface(box).diagnosis.usable());
+  const std::optional<MeshAdvice> advice = advise(box);
+  ASSERT_TRUE(advice);
+  const Wrapped wrapped = wrapped_as_advised(box);
+  const double thickness = 2.0 * signed_volume(wrapped.mesh) / area(wrapped.mesh);
+  EXPECT_EQ(thickness < 1.0, advice->outcome.find("as a shell") != std::string::npos) << advice->options;
+  // Not a foil that a molecule could not be: thicker than a fortieth of the box.
+  EXPECT_GT(thickness, 0.1) << advice->options;
+}
+
 TEST(Advice, IsNotGivenWithoutNeed) {
   EXPECT_EQ(advised(test::cube()), "nothing");
   EXPECT_EQ(advised({}), "nothing");

@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <utility>
 
+#include "nanocarbon/mesh/join_points.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/repair/repair_surface.h"
+#include "nanocarbon/mesh/solid/repair_solids.h"
 #include "nanocarbon/mesh/triangulate.h"
 #include "nanocarbon/shapes/shapes.h"
 #include "support/closed_surface.h"
@@ -79,6 +82,92 @@ TEST(Unite, WhatOverlapsNothingStaysAsItIs) {
 TEST(Unite, APieceWoundInsideOutIsASolidAllTheSame) {
   const United united = unite(test::together(cube({0, 0, 0}), test::turned(cube({0.5, 0.4, 0.3}))));
   EXPECT_NEAR(signed_volume(united.mesh), 2.0 - 0.5 * 0.6 * 0.7, 1e-12);
+}
+
+//! A cube whose faces are cut into squares.
+PolygonSoup fine_cube(const Vec3& at, int squares) {
+  PolygonSoup soup;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int side : {0, 1})
+      for (int i = 0; i < squares; ++i)
+        for (int j = 0; j < squares; ++j) {
+          const auto corner = [&](int u, int v) {
+            Vec3 p;
+            p[axis] = side;
+            p[(axis + 1) % 3] = double(i + u) / squares;
+            p[(axis + 2) % 3] = double(j + v) / squares;
+            soup.corners.push_back(static_cast<VertexIndex>(soup.points.size()));
+            soup.points.push_back(at + p);
+          };
+          if (side == 1)
+            for (const auto& [u, v] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) corner(u, v);
+          else
+            for (const auto& [u, v] : {std::pair(0, 0), {0, 1}, {1, 1}, {1, 0}}) corner(u, v);
+          soup.close_face();
+        }
+  join(soup, coincident_points(soup.points));
+  return soup;
+}
+
+PolygonSoup together(const PolygonSoup& one, const PolygonSoup& other) {
+  PolygonSoup soup = one;
+  for (std::size_t face = 0; face < other.faces(); ++face) {
+    for (const VertexIndex v : other.face(face))
+      soup.corners.push_back(v + static_cast<VertexIndex>(one.points.size()));
+    soup.close_face();
+  }
+  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  return soup;
+}
+
+//! Each face with points of its own, as in STL files.
+PolygonSoup apart(const PolygonSoup& soup) {
+  PolygonSoup faces;
+  for (std::size_t face = 0; face < soup.faces(); ++face) {
+    for (const VertexIndex v : soup.face(face)) {
+      faces.corners.push_back(static_cast<VertexIndex>(faces.points.size()));
+      faces.points.push_back(soup.points[v]);
+    }
+    faces.close_face();
+  }
+  return faces;
+}
+
+void expect_union(const PolygonSoup& soup, double volume, const char* what) {
+  SCOPED_TRACE(what);
+  const RepairedSolids solids = repair_solids(soup);
+  ASSERT_TRUE(solids.manifold);
+  const United united = unite(solids.mesh);
+  EXPECT_EQ(united.overlapping, 2u);
+  const MeshTopology topology = test::closed_surface(united.mesh);
+  EXPECT_EQ(topology.components, 1u);
+  EXPECT_EQ(topology.genus, 0);
+  EXPECT_NEAR(signed_volume(united.mesh), volume, 1e-9);
+}
+
+// Cubes on one grid, so that they cross along edges of both, and there is no place where an edge of one goes through
+// a face of the other.
+TEST(Unite, SolidsThatShareTheEdgesAlongWhichTheyCross) {
+  const PolygonSoup cubes = together(fine_cube({0, 0, 0}, 2), fine_cube({0.5, 0.5, 0.5}, 2));
+  PolygonSoup joined = cubes;
+  join(joined, coincident_points(joined.points));
+  expect_union(cubes, 2 - 0.125, "in pieces");
+  expect_union(joined, 2 - 0.125, "with common vertices");
+  expect_union(apart(cubes), 2 - 0.125, "face by face");
+}
+
+// In one row: they have faces in common that are one face once all is joined.
+TEST(Unite, SolidsThatShareFaces) {
+  expect_union(together(fine_cube({0, 0, 0}, 2), fine_cube({0.5, 0, 0}, 2)), 1.5, "in pieces");
+}
+
+// Vertices at the same places alone make no crossing.
+TEST(Unite, SolidsThatTouchAtVerticesAndEdgesStay) {
+  for (const Vec3& at : {Vec3(1, 1, 0), Vec3(1, 1, 1)}) {
+    const RepairedSolids solids = repair_solids(together(fine_cube({0, 0, 0}, 2), fine_cube(at, 2)));
+    ASSERT_TRUE(solids.manifold);
+    EXPECT_EQ(unite(solids.mesh).overlapping, 0u);
+  }
 }
 
 TEST(Unite, RefusesWhatIsNoSolidAndSaysWhere) {

@@ -11,7 +11,6 @@
 #include "nanocarbon/mesh/repair/close_holes.h"
 #include "nanocarbon/mesh/repair/drop_folds.h"
 #include "nanocarbon/mesh/repair/flip_slivers.h"
-#include "nanocarbon/mesh/repair/separate_sheets.h"
 #include "nanocarbon/mesh/repair/sew_boundaries.h"
 #include "nanocarbon/mesh/triangulate.h"
 #include "nanocarbon/mesh/winding.h"
@@ -38,8 +37,8 @@ void join_and_drop(PolygonSoup& soup, Repairs& repairs) {
   tell(repairs, "dropped the back faces of sheets given with both sides", folds.of_sheets);
 }
 
-void separate(PolygonSoup& soup, Repairs& repairs) {
-  const SeparatedSheets separated = separate_sheets(soup);
+void separate(PolygonSoup& soup, CrossingSheets crossing, Repairs& repairs) {
+  const SeparatedSheets separated = separate_sheets(soup, crossing);
   tell(repairs, "separated sheets that met at edges", separated.edges);
   tell(repairs, "separated sheets that met at vertices", separated.vertices);
 }
@@ -56,7 +55,7 @@ void wind_and_flip(TriangleMesh& mesh, Repairs& repairs) {
 
 }  // namespace
 
-RepairedSurface repair_surface(PolygonSoup soup, double close_holes) {
+RepairedSurface repair_surface(PolygonSoup soup, double close_holes, CrossingSheets crossing) {
   RepairedSurface result;
   result.repairs = soup.notes;
   const auto tell_mended = [&] {
@@ -64,7 +63,7 @@ RepairedSurface repair_surface(PolygonSoup soup, double close_holes) {
   };
   join_and_drop(soup, result.mended);
   if (auto sewed = sew_boundaries(soup)) result.mended.push_back(*sewed);
-  separate(soup, result.mended);
+  separate(soup, crossing, result.mended);
   tell(result.mended, "dropped vertices that no face uses", drop_unused_points(soup));
   if (!can_be_triangulated(soup)) {
     tell_mended();

@@ -6,6 +6,7 @@
 
 #include "nanocarbon/mesh/diagnosis.h"
 #include "nanocarbon/mesh/polygon_soup.h"
+#include "nanocarbon/mesh/repair/separate_sheets.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
 namespace nanocarbon::mesh {
@@ -26,6 +27,8 @@ struct RepairedSurface {
 //! \details Never throws: what cannot be mended is in the diagnosis. Points and order are kept where
 //! nothing is dropped.
 //! \param close_holes radius in mesh units below which boundary loops are closed (close_holes.h)
-RepairedSurface repair_surface(PolygonSoup soup, double close_holes = 0.0);
+//! \param crossing what becomes of sheets that cross at edges that they share
+RepairedSurface repair_surface(PolygonSoup soup, double close_holes = 0.0,
+                               CrossingSheets crossing = CrossingSheets::leave);
 
 }  // namespace nanocarbon::mesh

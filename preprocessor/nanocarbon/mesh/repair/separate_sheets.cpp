@@ -21,7 +21,7 @@ using Pair = std::array<EdgeUse, 2>;
 
 // The faces at an edge two by two as they bound the same material; none where that cannot be said.
 std::vector<Pair> pairs_around(const PolygonSoup& soup, const EdgeTable& edges, std::size_t edge,
-                               bool inside_out) {
+                               bool inside_out, CrossingSheets crossing) {
   const auto uses = edges.uses_of(edge);
   if (uses.size() == 2) return {{uses[0], uses[1]}};
   if (uses.size() % 2 != 0) return {};
@@ -45,7 +45,13 @@ std::vector<Pair> pairs_around(const PolygonSoup& soup, const EdgeTable& edges, 
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < around.size(); ++i) {
     const EdgeUse &use = around[i].use, &next = around[(i + 1) % around.size()].use;
-    if (use.forward == next.forward) return {};
+    if (use.forward == next.forward) {
+      const bool cross = crossing == CrossingSheets::go_on && around.size() == 4 &&
+                         around[0].use.forward != around[2].use.forward &&
+                         around[1].use.forward != around[3].use.forward;
+      return cross ? std::vector<Pair>{{around[0].use, around[2].use}, {around[1].use, around[3].use}}
+                   : std::vector<Pair>{};
+    }
     if (use.forward == inside_out) pairs.push_back({use, next});
   }
   return pairs;
@@ -53,8 +59,8 @@ std::vector<Pair> pairs_around(const PolygonSoup& soup, const EdgeTable& edges, 
 
 class Separation {
  public:
-  explicit Separation(const PolygonSoup& soup)
-      : soup_(soup), edges_(edge_table(soup)), fans_(soup.corners.size()) {}
+  Separation(const PolygonSoup& soup, CrossingSheets crossing)
+      : soup_(soup), edges_(edge_table(soup)), crossing_(crossing), fans_(soup.corners.size()) {}
 
   SeparatedSheets run(PolygonSoup& result) {
     find_fans();
@@ -101,7 +107,7 @@ class Separation {
       const auto uses = edges_.uses_of(e);
       if (uses.size() == 2) join(uses[0], uses[1]);
       if (uses.size() <= 2) continue;
-      std::vector<Pair> pairs = pairs_around(soup_, edges_, e, inside_out);
+      std::vector<Pair> pairs = pairs_around(soup_, edges_, e, inside_out, crossing_);
       for (const Pair& pair : pairs) join(pair[0], pair[1]);
       if (pairs.empty())
         for (const EdgeUse& use : uses) join(uses[0], use);
@@ -156,6 +162,7 @@ class Separation {
 
   const PolygonSoup soup_;
   const EdgeTable edges_;
+  const CrossingSheets crossing_;
   DisjointSets fans_;
   std::vector<std::vector<Pair>> several_;  // at edges with more than two faces
   std::vector<VertexIndex> vertex_;         // each corner's
@@ -166,6 +173,8 @@ class Separation {
 
 }  // namespace
 
-SeparatedSheets separate_sheets(PolygonSoup& soup) { return Separation(soup).run(soup); }
+SeparatedSheets separate_sheets(PolygonSoup& soup, CrossingSheets crossing) {
+  return Separation(soup, crossing).run(soup);
+}
 
 }  // namespace nanocarbon::mesh

@@ -13,8 +13,10 @@
 #include "nanocarbon/mesh/repair/close_holes.h"
 #include "nanocarbon/mesh/repair/repair_surface.h"
 #include "nanocarbon/mesh/solid/cgal_version.h"
+#include "nanocarbon/mesh/solid/repair_solids.h"
 #include "nanocarbon/mesh/solid/unite.h"
 #include "nanocarbon/mesh/solid/wrap.h"
+#include "nanocarbon/mesh/triangulate.h"
 
 namespace nanocarbon::mesh {
 namespace {
@@ -28,8 +30,8 @@ double two_digits(double value, double (*round)(double)) {
 }
 
 std::optional<MeshAdvice> try_union(const PolygonSoup& soup, double close_holes) {
-  const RepairedSurface repaired = repair_surface(soup, close_holes);
-  if (!repaired.diagnosis.topology.manifold()) return {};
+  const RepairedSolids repaired = repair_solids(soup, close_holes);
+  if (!repaired.manifold) return {};
   try {
     const United united = unite(repaired.mesh);
     if (united.overlapping == 0 || !repair_surface(soup_of(united.mesh)).diagnosis.usable()) return {};
@@ -45,18 +47,30 @@ bool closed_and_usable(const TriangleMesh& mesh) {
   return diagnosis.usable() && diagnosis.topology.closed() && !diagnosis.find(MeshProblem::self_intersection);
 }
 
-// Whether the ball got in, so that what is wrapped are walls without thickness.
-bool is_shell(const TriangleMesh& mesh, double offset) {
-  return 2.0 * signed_volume(mesh) < 4.0 * offset * area(mesh);
+// Of a wrap's two sides, were all of it a wall.
+double mean_thickness(const TriangleMesh& wrap) { return 2.0 * signed_volume(wrap) / area(wrap); }
+
+// Whether the ball got in, so that what is wrapped are walls without thickness. Where these meet, wedges that the ball
+// does not reach are filled, and the wall is thicker in the mean; but it still has both sides of what there was.
+bool is_shell(const TriangleMesh& wrap, double area_before, const WrapSize& size) {
+  constexpr double both_sides = 1.5;  // times the area
+  const double thickness = mean_thickness(wrap);
+  return thickness < 4.0 * size.offset ||
+         (thickness < 2.0 * size.size && area(wrap) > both_sides * area_before);
 }
 
 std::optional<MeshAdvice> try_wrap(const PolygonSoup& soup, const WrapSize& size, bool accept_shells,
                                    std::string_view name) {
   try {
     const Wrapped wrapped = wrap(soup, size);
-    if ((!accept_shells && is_shell(wrapped.mesh, size.offset)) || !closed_and_usable(wrapped.mesh))
-      return {};
-    return MeshAdvice{fmt::format("--wrap {}", name), describe(wrapped, size)};
+    const bool shell = is_shell(wrapped.mesh, area(triangulate(soup).mesh), size);
+    if ((!accept_shells && shell) || !closed_and_usable(wrapped.mesh)) return {};
+    return MeshAdvice{
+        fmt::format("--wrap {}", name),
+        describe(wrapped, size) +
+            (shell ? fmt::format("; it goes around both sides of the mesh, as a shell that is {:.2g} thick",
+                                 mean_thickness(wrapped.mesh))
+                   : "")};
   } catch (const UserError&) {
     return {};
   }
@@ -64,7 +78,9 @@ std::optional<MeshAdvice> try_wrap(const PolygonSoup& soup, const WrapSize& size
 
 std::optional<MeshAdvice> advise_union(const PolygonSoup& soup, const RepairedSurface& repaired,
                                        double diagonal) {
-  if (!repaired.diagnosis.find(MeshProblem::components_intersect)) return {};
+  if (!repaired.diagnosis.find(MeshProblem::components_intersect) &&
+      !repaired.diagnosis.find(MeshProblem::non_manifold_edge))
+    return {};
   if (auto advice = try_union(soup, 0.0)) return advice;
   const std::vector<double> radii = boundary_radii(repaired.mesh);
   if (radii.empty()) return {};

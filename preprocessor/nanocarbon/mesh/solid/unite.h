@@ -15,11 +15,12 @@ struct United {
   std::size_t unions = 0;       //!< what they have become
 };
 
-//! \brief Boolean union of components that cross or touch each other in faces; others stay as they are, first.
+//! \brief Boolean union of components that cross (also where they have vertices or edges at the same places) or touch each
+//! other in faces; others stay as they are, first.
 //! \details Each component counts as a solid, also inside others that it crosses.
 //! \throw UserError (unsuitable) naming the place, where one of those components is not closed, has no two sides or
 //! crosses itself, or where the union is not a 2-manifold; (usage) as union_of_solids()
-//! \pre manifold and consistently wound, as repair_surface() leaves a mesh
+//! \pre manifold and consistently wound, as repair_solids() leaves a mesh
 United unite(const TriangleMesh& mesh);
 
 //! One sentence for people, beginning with "united".

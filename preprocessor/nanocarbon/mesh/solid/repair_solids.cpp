@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "nanocarbon/mesh/solid/repair_solids.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "nanocarbon/core/disjoint_sets.h"
+#include "nanocarbon/mesh/join_points.h"
+#include "nanocarbon/mesh/repair/repair_surface.h"
+
+namespace nanocarbon::mesh {
+namespace {
+
+constexpr std::size_t most_pieces = 1000;
+
+// The faces that hang together by their vertices as numbered, piece by piece; none where that is one piece, or where
+// there are more than solids can be.
+std::vector<std::vector<FaceIndex>> pieces_of(const PolygonSoup& soup) {
+  DisjointSets sets(soup.points.size());
+  for (FaceIndex face = 0; face < soup.faces(); ++face)
+    for (const VertexIndex v : soup.face(face)) sets.join(soup.face(face)[0], v);
+  std::map<std::uint32_t, std::size_t> piece_of;
+  std::vector<std::vector<FaceIndex>> pieces;
+  for (FaceIndex face = 0; face < soup.faces(); ++face) {
+    if (soup.face(face).empty()) continue;
+    const auto [found, is_new] = piece_of.try_emplace(sets.find(soup.face(face)[0]), pieces.size());
+    if (is_new) pieces.emplace_back();
+    pieces[found->second].push_back(face);
+    if (pieces.size() > most_pieces) return {};
+  }
+  if (pieces.size() < 2) pieces.clear();
+  return pieces;
+}
+
+PolygonSoup soup_of_faces(const PolygonSoup& soup, const std::vector<FaceIndex>& faces) {
+  PolygonSoup part;
+  std::map<VertexIndex, VertexIndex> renumbered;
+  for (const FaceIndex face : faces) {
+    for (const VertexIndex v : soup.face(face)) {
+      const auto [found, is_new] = renumbered.try_emplace(v, static_cast<VertexIndex>(part.points.size()));
+      if (is_new) part.points.push_back(soup.points[v]);
+      part.corners.push_back(found->second);
+    }
+    part.close_face();
+  }
+  return part;
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& part) {
+  const auto shift = static_cast<VertexIndex>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
+  for (const auto& [a, b, c] : part.triangles) mesh.triangles.push_back({a + shift, b + shift, c + shift});
+}
+
+// What was done to several pieces, each once.
+void add_new(std::vector<std::string>& repairs, const std::vector<std::string>& more) {
+  for (const std::string& repair : more)
+    if (std::find(repairs.begin(), repairs.end(), repair) == repairs.end()) repairs.push_back(repair);
+}
+
+std::optional<RepairedSolids> piece_by_piece(const PolygonSoup& soup, double close_holes) {
+  RepairedSolids solids{{}, soup.notes, true};
+  for (const std::vector<FaceIndex>& faces : pieces_of(soup)) {
+    const RepairedSurface piece = repair_surface(soup_of_faces(soup, faces), close_holes);
+    const MeshTopology& topology = piece.diagnosis.topology;
+    if (!topology.manifold() || !topology.closed() || piece.mesh.triangles.empty()) return {};
+    append(solids.mesh, piece.mesh);
+    add_new(solids.repairs, piece.repairs);
+  }
+  if (solids.mesh.triangles.empty()) return {};
+  return solids;
+}
+
+}  // namespace
+
+RepairedSolids repair_solids(const PolygonSoup& soup, double close_holes) {
+  if (auto solids = piece_by_piece(soup, close_holes)) return *std::move(solids);
+  RepairedSurface all = repair_surface(soup, close_holes, CrossingSheets::go_on);
+  return {std::move(all.mesh), std::move(all.repairs), all.diagnosis.topology.manifold()};
+}
+
+}  // namespace nanocarbon::mesh
