@@ -38,6 +38,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   mesh/periodic_mesh.h
   mesh/polygon_soup.h
   mesh/repair/repair_surface.h
+  mesh/repair/separate_sheets.h
   mesh/triangle_mesh.h
   mesh/triangle_tree.h
   minimisation/cell_minimum.h
