@@ -111,8 +111,9 @@ class Experiments:
                           | {"pair": pair}, pair) for pair in ("rebo/opt", "rebo"))
 
     def airebo(self):
-        """What the thesis shows whole, under AIREBO, whose molecules are the same: remeshing knows no potential."""
-        return self.each((lambda m: self.one(m, m.stable, "airebo", pair="airebo/opt"), m) for m in self.models)
+        """Every setting under AIREBO; the molecules are the same, since remeshing knows no potential."""
+        return self.each((lambda m, s: self.one(m, s, "airebo", pair="airebo/opt"), m, s)
+                         for m in self.models for s in SETTINGS)
 
     def earlier(self):
         def row(model, recipe):

@@ -90,9 +90,17 @@ def plain(rows):
     return markdown(["model", "p", "s", *MAIN], map(common, rows))
 
 
+def hot(row):
+    """The shared columns, and the temperature at the end of the run."""
+    return common(row) | {"K": f"{row['run']['temperature']:.0f}" if "run" in row else ""}
+
+
+def airebo(rows):
+    return markdown(["model", "p", "s", *MAIN, "K"], map(hot, rows))
+
+
 def long(rows):
-    cells = [common(row) | {"K": f"{row['run']['temperature']:.0f}" if "run" in row else "",
-                            "minimised after MD": told(row.get("cg after"))} for row in rows]
+    cells = [hot(row) | {"minimised after MD": told(row.get("cg after"))} for row in rows]
     return markdown(["model", "p", "s", *MAIN, "K", "minimised after MD"], cells)
 
 
@@ -130,7 +138,7 @@ def default(rows):
 
 
 TABLES = {"remeshing": remeshing, "visited": plain, "interval": plain, "long": long, "cg": cg, "earlier": earlier,
-          "default": default, "rebo": by_pair, "airebo": plain}
+          "default": default, "rebo": by_pair, "airebo": airebo}
 
 
 def put_into(page, tables):
