@@ -24,6 +24,8 @@
 #include "nanocarbon/core/output_file.h"
 #include "nanocarbon/core/version.h"
 #include "nanocarbon/mesh/formats/write_mesh.h"
+#include "nanocarbon/molecule/formats/byte_source.h"
+#include "nanocarbon/molecule/formats/distance_warnings.h"
 #include "nanocarbon/page/structure_page.h"
 #include "number_checks.h"
 #include "progress_bar.h"
@@ -51,6 +53,15 @@ building::PotentialChoice choice_of(const std::string& potential) {
   if (potential == "airebo") return building::PotentialChoice::airebo;
   if (potential == "airebo-m") return building::PotentialChoice::airebo_m;
   return building::PotentialChoice::rebo2;
+}
+
+void warn_of(const MoleculeInput& input, const molecule::MoleculeFrame& frame) {
+  print_warnings(input, frame.warnings);
+  try {
+    print_warnings(input, molecule::distance_warnings(frame, molecule::shown_name(input.file)));
+  } catch (const UserError& error) {  // of atoms that have no energy, bonds can still be told
+    fmt::print(stderr, "nanocarbon: warning: {}\n", error.what());
+  }
 }
 
 // What is kept of the frames gone through.
@@ -92,7 +103,7 @@ class Analyser {
       std::size_t number = 0;
       for (; std::optional<molecule::MoleculeFrame> frame = frames.next(); ++number) {
         if (number % command_.every != 0) continue;
-        if (number == 0) print_warnings(input, frame->warnings);
+        if (number == 0) warn_of(input, *frame);
         bar.show(fmt::format("analysing frame {}", number + 1), 0.0);
         take(file, number, std::move(*frame), xyz);
       }

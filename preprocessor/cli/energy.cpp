@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "molecule_input.h"
+#include "nanocarbon/core/error.h"
 #include "nanocarbon/core/output_file.h"
+#include "nanocarbon/molecule/formats/byte_source.h"
 #include "nanocarbon/potential/potential.h"
 #include "potential_option.h"
 
@@ -108,6 +111,10 @@ void run(const EnergyCommand& command) {
                                  : building::make_potential(command.potential, command.parameters);
   const potential::Evaluation& result = potential->evaluate(
       m.positions, m.elements, m.cell ? &*m.cell : nullptr, {.atom_energies = !command.forces.empty()});
+  if (!std::isfinite(result.energy))
+    throw UserError(Failure::unsuitable,
+                    fmt::format("{}: the energy is no finite number: atoms lie on top of each other",
+                                molecule::shown_name(command.input.file)));
   if (!command.forces.empty()) write_forces(command.forces, structure, result);
   const Summary summary = summarise(m, result);
   if (command.json)

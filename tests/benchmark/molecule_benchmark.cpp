@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "nanocarbon/molecule/dual.h"
-#include "nanocarbon/molecule/formats/close_atoms.h"
+#include "nanocarbon/molecule/formats/distance_warnings.h"
 #include "nanocarbon/molecule/formats/lammps_data.h"
 #include "nanocarbon/molecule/formats/read_molecule.h"
 #include "nanocarbon/molecule/formats/xyz.h"

@@ -133,6 +133,15 @@ TEST_F(Energy, TakesParametersFromTheFileOfThePotential) {
   EXPECT_EQ(run("energy " + molecule + " --potential AIREBO").exit_code, 2);
 }
 
+TEST_F(Energy, OfAtomsInTheSamePlaceIsNone) {
+  const std::string xyz = path("twice.xyz");
+  std::ofstream(xyz) << "4\n\nC 0 0 0\nC 1.4 0 0\nC 1.4 0 0\nC 2.8 0 0.3\n";
+  const Outcome outcome = run("energy " + xyz);
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("on top of each other"));
+}
+
 TEST_F(Energy, SaysWhatIsWrongAndExitsWithItsCode) {
   EXPECT_EQ(run("energy molecule.pdb").exit_code, 3);
   EXPECT_THAT(run("energy molecule.pdb").err, HasSubstr("molecule.pdb: cannot be read"));

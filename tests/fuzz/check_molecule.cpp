@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/molecule/formats/close_atoms.h"
+#include "nanocarbon/molecule/formats/distance_warnings.h"
 #include "nanocarbon/molecule/formats/read_molecule.h"
 
 namespace nanocarbon::test {
@@ -46,6 +46,7 @@ std::string broken_promise(std::string_view contents, const std::string& file,
       for (const molecule::ClosePair& pair : molecule::find_close_atoms(frame->molecule, 0.5).pairs)
         if (pair.first > pair.second || pair.second >= frame->molecule.size() || !(pair.distance < 0.5))
           return "a pair of close atoms is none";
+      molecule::distance_warnings(*frame, file);
     }
     molecules.unused_types();
     return {};

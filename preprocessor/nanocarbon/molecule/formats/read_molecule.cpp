@@ -8,7 +8,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/molecule/formats/cif_reader.h"
-#include "nanocarbon/molecule/formats/close_atoms.h"
+#include "nanocarbon/molecule/formats/distance_warnings.h"
 #include "nanocarbon/molecule/formats/lammps_data_reader.h"
 #include "nanocarbon/molecule/formats/lammps_dump_reader.h"
 #include "nanocarbon/molecule/formats/poscar_reader.h"
@@ -120,35 +120,6 @@ MoleculeFrame frame_from_end(MoleculeFile& file, const std::string& name, std::i
   return std::move(last.front());
 }
 
-// "atoms 3 and 17", by the file's IDs.
-std::string named(const MoleculeFrame& frame, const ClosePair& pair) {
-  if (pair.first == pair.second) return fmt::format("atom {} and its own image", frame.ids[pair.first]);
-  return fmt::format("atoms {} and {}", frame.ids[pair.first], frame.ids[pair.second]);
-}
-
-void look_for_close_atoms(MoleculeFrame& frame, const std::string& name) {
-  constexpr double too_close = 0.5;  // Angstrom
-  const CloseAtoms close = find_close_atoms(frame.molecule, too_close);
-  if (close.pairs.empty()) return;
-  const ClosePair& nearest = close.pairs.front();
-  const std::string gist =
-      fmt::format("{} are {:.3g} Angstrom from each other", named(frame, nearest), nearest.distance);
-  if (!close.all)
-    throw UserError(Failure::unsuitable,
-                    fmt::format("{}: nearly all atoms lie on top of others ({})", name, gist));
-  std::string others;
-  for (std::size_t k = 1; k < std::min<std::size_t>(close.pairs.size(), 4); ++k)
-    others += fmt::format("{}{} ({:.3g})", k == 1 ? "; so are " : ", ", named(frame, close.pairs[k]),
-                          close.pairs[k].distance);
-  if (close.pairs.size() > 4) others += fmt::format(", and {} pairs more", close.pairs.size() - 4);
-  const bool across =
-      frame.molecule.cell &&
-      (frame.molecule.positions[nearest.first] - frame.molecule.positions[nearest.second]).norm() > too_close;
-  frame.warnings.push_back(fmt::format(
-      "{}{}{}: atoms on top of each other", gist,
-      across ? " across the periodic boundary (does the box end where its atoms do?)" : "", others));
-}
-
 }  // namespace
 
 MoleculeFrame read_molecule(MoleculeFile& file, const std::string& name, std::optional<std::int64_t> frame) {
@@ -162,7 +133,7 @@ MoleculeFrame read_molecule(MoleculeFile& file, const std::string& name, std::op
     result.warnings.push_back(
         "there are more frames in the file; this is the first (--frame N reads another, -1 the last)");
   if (const auto unused = file.unused_types()) result.warnings.push_back(*unused);
-  look_for_close_atoms(result, name);
+  for (std::string& warning : distance_warnings(result, name)) result.warnings.push_back(std::move(warning));
   return result;
 }
 

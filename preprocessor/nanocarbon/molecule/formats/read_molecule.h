@@ -48,7 +48,7 @@ class MoleculeFile {
 };
 
 //! \brief One frame of a file, with what to know about it before trusting numbers in its warnings: other frames that
-//! there are, names in the options that no atom has, and atoms that are closer than 0.5 Angstrom.
+//! there are, names in the options that no atom has, and distances that no such structure has (distance_warnings).
 //! \param frame from 1; negative from the end, -1 being the last; nothing for the first
 //! \throw UserError as MoleculeFile; unsuitable where there are fewer frames or no atoms, and for atoms that are
 //! all in the same place; usage for frame 0

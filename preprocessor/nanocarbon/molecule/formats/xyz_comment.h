@@ -22,6 +22,8 @@ struct XyzColumns {
 
 struct XyzComment {
   std::optional<Cell> cell;
+  //! The whole Lattice, where pbc leaves directions of it open: programs write F unless they are told.
+  std::optional<Cell> lattice;
   XyzColumns columns;
   std::optional<std::int64_t> step;
 };
