@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace nanocarbon {
 namespace {
@@ -149,8 +150,9 @@ std::optional<AtomicNumber> atomic_number_of_name(std::string_view name) {
 }
 
 std::optional<AtomicNumber> atomic_number_of_mass(double mass) {
-  constexpr double deuterium = 2.0141;
-  if (std::abs(mass - deuterium) < 0.01) return AtomicNumber{1};
+  constexpr std::pair<double, AtomicNumber> isotopes[] = {{2.0141, 1}, {3.0160, 1}, {13.0034, 6}};
+  for (const auto& [isotope, z] : isotopes)
+    if (std::abs(mass - isotope) < 0.01) return z;
   std::size_t nearest = 0;
   for (std::size_t k = 1; k < rows.size(); ++k)
     if (std::abs(rows[k].mass - mass) < std::abs(rows[nearest].mass - mass)) nearest = k;

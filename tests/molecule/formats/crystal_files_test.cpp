@@ -52,6 +52,21 @@ TEST(CrystalFiles, DiamondFromOneAtomAndItsSpaceGroup) {
   }
 }
 
+// A name without its origin, or a number in place of a name, leaves open what the operations are.
+TEST(CrystalFiles, GuessesNoOrigin) {
+  const std::string cubic = cell(3.567, 3.567, 3.567, 90, 90, 90);
+  for (const char* atom : {"C1 C 0 0 0 1\n", "C1 C 0.125 0.125 0.125 1\n"}) {
+    EXPECT_THAT(error_of(cif(cubic, "_symmetry_space_group_name_H-M 'F d -3 m'\n", atom)),
+                HasSubstr("two origins in use"));
+    EXPECT_THAT(error_of(cif(cubic, "_symmetry_space_group_name_H-M '227'\n", atom)),
+                HasSubstr("is not known"));
+  }
+  // Whether axes are hexagonal or rhombohedral is told by the angles: an atom at the origin is one of 3 or of 1.
+  const std::string group = "_symmetry_space_group_name_H-M 'R -3 m'\n";
+  EXPECT_EQ(read(cif(cell(5, 5, 9, 90, 90, 120), group, "C1 C 0 0 0 1\n")).molecule.size(), 3u);
+  EXPECT_EQ(read(cif(cell(5, 5, 5, 70, 70, 70), group, "C1 C 0 0 0 1\n")).molecule.size(), 1u);
+}
+
 // Graphite, P6_3/mmc by its listed operations and rounded thirds: 4 atoms with three neighbours each.
 TEST(CrystalFiles, GraphiteByListedOperations) {
   const std::string operations =
@@ -98,8 +113,8 @@ TEST(CrystalFiles, PoscarOfEveryKind) {
               ElementsAre(Element::carbon, Element::hydrogen));
   EXPECT_THAT(error_of("t\n1\n" + vectors + "C\n2\nDirect\n0 0 0\n"),
               HasSubstr("the file ends before atom 2"));
-  EXPECT_THAT(error_of("t\n1\n" + vectors + "C\n1\nFractional\n0 0 0\n"),
-              HasSubstr("expected Direct or Cartesian"));
+  EXPECT_EQ(read("t\n1\n" + vectors + "C\n1\nFractional\n0.5 0 0\n").molecule.positions[0], Vec3(1, 0, 0));
+  EXPECT_THAT(error_of("t\n1\n" + vectors + "C\n1\n0 0 0\n"), HasSubstr("expected Direct or Cartesian"));
 }
 
 // VASP 5 writes the head once, or before each configuration where the cell changes.

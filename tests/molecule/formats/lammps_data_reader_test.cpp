@@ -215,6 +215,9 @@ TEST(LammpsDataReader, GuessesNoElement) {
   // A united atom, CH2.
   EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011\n2 13.019\n\n")),
               HasSubstr("a mass that no element has"));
+  // A bead of a coarse model, which Martini calls C1: the name does not stand above the mass.
+  EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011\n2 72.0 # C1\n\n")),
+              HasSubstr("a mass that no element has"));
   // A name that says the opposite of the mass.
   EXPECT_THAT(error_of(two_types("Masses\n\n1 12.011 # H\n2 1.008 # C\n\n")),
               HasSubstr("has the mass of carbon, but is called hydrogen"));
@@ -224,7 +227,7 @@ TEST(LammpsDataReader, TakesElementsFromMassesLabelsCommentsAndOptions) {
   const auto carbon_and_hydrogen = testing::ElementsAre(Element::carbon, Element::hydrogen);
   for (const std::string masses :
        {"Masses\n\n1 12.0107\n2 1.00794\n\n", "Masses\n\n1 12\n2 1\n\n", "Masses\n\n1 1.0 # C\n2 1.0 # H\n\n",
-        "Masses\n\n1 12.01115 # cp\n2 1.008 # hc\n\n"})
+        "Masses\n\n1 12.01115 # cp\n2 1.008 # hc\n\n", "Masses\n\n1 13.00335\n2 2.014\n\n"})
     EXPECT_THAT(read(two_types(masses)).molecule.elements, carbon_and_hydrogen) << masses;
   const std::string labels = "Atom Type Labels\n\n1 C_top\n2 hydrogen\n\n";
   EXPECT_THAT(read(two_types("", labels)).molecule.elements, carbon_and_hydrogen);
@@ -301,6 +304,27 @@ TEST(LammpsDataReader, TellsStylesWithoutCommentByAllOfTheirLines) {
   EXPECT_THAT(first("1 1 1 1 1 1 0 0 -1\n2 1 2 2 2 2 0 0 0\n"),
               carbon_and_hydrogen);                                             // molecular with images
   EXPECT_THAT(first("1 1 1 0 1 1 1\n2 1 2 0.5 2 2 2\n"), carbon_and_hydrogen);  // full
+}
+
+// The first line of write_data and of -restart2data, as LAMMPS has it since 2022.
+TEST(LammpsDataReader, RefusesLengthsThatAreNotInAngstrom) {
+  const auto with_units = [](const std::string& units) {
+    return "LAMMPS data file via write_data, version 2 Aug 2023, timestep = 0, units = " + units +
+           two_types("Masses\n\n1 12.011\n2 1.008\n\n").substr(1);
+  };
+  for (const char* units : {"metal", "real"}) EXPECT_EQ(read(with_units(units)).molecule.size(), 2u);
+  for (const char* units : {"lj", "electron", "si", "cgs", "micro", "nano"})
+    EXPECT_THAT(error_of(with_units(units)), AllOf(HasSubstr("test.data:1: "), HasSubstr(units)));
+}
+
+// LAMMPS itself needs no blank line before the name of a section.
+TEST(LammpsDataReader, TakesSectionsWithoutBlankLines) {
+  EXPECT_THAT(
+      read("x\n2 atoms\n2 atom types\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\nAtom Type Labels\n1 C\n2 H\n"
+           "Masses\nC 12.011\nH 1.008\nPair Coeffs\n1 0.1 3.4\n2 0.1 2.5\nAtoms # atomic\n1 C 1 1 1\n"
+           "2 H 2 2 2\nVelocities\n1 9 9 9\n2 9 9 9\n")
+          .molecule.elements,
+      ElementsAre(Element::carbon, Element::hydrogen));
 }
 
 TEST(LammpsDataReader, TakesAnyBlanksAndLineEnds) {

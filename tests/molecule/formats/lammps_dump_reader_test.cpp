@@ -77,7 +77,7 @@ TEST(LammpsDumpReader, ReadsTiltedBoxes) {
 
 TEST(LammpsDumpReader, GuessesNoElement) {
   const std::string types = dump("id type x y z", "1 1 1 1 1\n2 2 2 2 2\n");
-  EXPECT_THAT(error_of(types), HasSubstr("a.lammpstrj:9: no column says what the atoms are"));
+  EXPECT_THAT(error_of(types), HasSubstr("a.lammpstrj:10: no column says what the atoms are"));
   EXPECT_THAT(read(types, {.types = {"C", "H"}}).molecule.elements,
               ElementsAre(Element::carbon, Element::hydrogen));
   EXPECT_THAT(error_of(types, {.types = {"C"}}), HasSubstr("--types does not say what type 2 is"));
@@ -88,6 +88,15 @@ TEST(LammpsDumpReader, GuessesNoElement) {
   const std::string unnamed = dump("id type element x y z", "1 1 C 1 1 1\n2 2 C 2 2 2\n");
   EXPECT_THAT(read(unnamed).warnings, ElementsAre(HasSubstr("dump_modify element")));
   EXPECT_THAT(read(unnamed, {.types = {"C", "C"}}).warnings, ElementsAre());
+}
+
+// As dump_modify types labels has them.
+TEST(LammpsDumpReader, TakesLabelsInTheColumnOfTypes) {
+  const std::string labels = dump("id type x y z", "1 C_top 1 1 1\n2 H 2 2 2\n");
+  EXPECT_THAT(read(labels).molecule.elements, ElementsAre(Element::carbon, Element::hydrogen));
+  const std::string own_names = dump("id type x y z", "1 CA 1 1 1\n2 CA 2 2 2\n");
+  EXPECT_THAT(error_of(own_names), HasSubstr("--types CA=C"));
+  EXPECT_THAT(read(own_names, {.types = {"CA=C"}}).molecule.elements, testing::Each(Element::carbon));
 }
 
 TEST(LammpsDumpReader, ErrorsNameFileAndLine) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -71,6 +72,17 @@ TEST(ReadMolecule, TellsTheFormatByWhatTheFileHolds) {
     }
 }
 
+// An energy as comment, and atoms by their numbers: five lines of numbers, as POSCAR begins.
+TEST(ReadMolecule, TellsXyzOfNumbersFromPoscar) {
+  for (const char* energy : {"-75.5", "75.5", "1"}) {
+    const std::string numbers =
+        std::string("5\n") + energy + "\n6 0 0 0\n1 0 0 1.1\n1 0 1 0\n1 1 0 0\n1 -1 0 0\n";
+    EXPECT_EQ(MoleculeFile(numbers, "a").format(), MoleculeFormat::xyz);
+    EXPECT_EQ(read_text(numbers, "a", {.types = {"6=C", "1=H"}}).molecule.size(), 5u);
+    EXPECT_THAT(error_of_text(numbers, "a"), HasSubstr("a:3: the atom's name '6' is a number"));
+  }
+}
+
 TEST(ReadMolecule, NamesTheKindsThatItDoesNotRead) {
   EXPECT_THAT(error_of_text("", "a.xyz"), HasSubstr("the file is empty"));
   EXPECT_THAT(error_of_text(std::string("\xff\xfe"
@@ -99,6 +111,27 @@ TEST(ReadMolecule, NamesTheKindsThatItDoesNotRead) {
               HasSubstr("begins with \"---\""));
   EXPECT_THAT(error_of_text("units metal\nread_data x.data\n", "in.graphene"), HasSubstr("LAMMPS script"));
   EXPECT_THAT(error_of_text("OFF\n3 1 0\n", "a.off"), HasSubstr("nanocarbon build"));
+  const std::string vectors = "9 0 0\n0 9 0\n0 0 9\n", sites = "C 1\n0 0 0\nC 2\n0 0 1.4\n";
+  EXPECT_THAT(error_of_text("title\n 0 3 2\n" + vectors + sites, "CONFIG"), HasSubstr("DL_POLY"));
+  EXPECT_THAT(error_of_text("title\n 0 0\n" + sites + sites, "CONFIG"), HasSubstr("DL_POLY"));
+  EXPECT_THAT(error_of_text("CRYSTAL\nPRIMVEC\n" + vectors + "PRIMCOORD\n1 1\n6 0 0 0\n", "a.xsf"),
+              HasSubstr("XSF"));
+  EXPECT_THAT(error_of_text("Number of particles = 2\nA = 1 Angstrom\n", "a.cfg"), HasSubstr("AtomEye"));
+  EXPECT_THAT(error_of_text("&CONTROL\n/\nATOMIC_POSITIONS angstrom\nC 0 0 0\n", "a.in"),
+              HasSubstr("Quantum ESPRESSO"));
+  EXPECT_THAT(error_of_text("%BLOCK LATTICE_CART\n" + vectors + "%ENDBLOCK\n", "a.cell"),
+              HasSubstr("CASTEP"));
+  EXPECT_THAT(
+      error_of_text("# C2\n\n2 atoms\n\nCoords\n\n1 0 0 0\n2 0 0 1.4\n\nTypes\n\n1 1\n2 1\n", "c2.txt"),
+      HasSubstr("molecule file of LAMMPS"));
+  EXPECT_THAT(error_of_text("!BIOSYM archive 3\nPBC=ON\n", "a.car"), HasSubstr("Materials Studio"));
+  EXPECT_THAT(error_of_text("c2\n  Avogadro\n\n  2  1  0  0  0  0  0  0  0  0999 V2000\n", "a.mol"),
+              HasSubstr("MOL or SDF"));
+  EXPECT_THAT(error_of_text("&GLOBAL\n&END\n&FORCE_EVAL\n", "a.inp"), HasSubstr("CP2K"));
+  EXPECT_THAT(error_of_text(" vasp.6.3.0 20Jan22 complex\n", "OUTCAR"), HasSubstr("OUTCAR"));
+  EXPECT_THAT(error_of_text("version https://git-lfs.github.com/spec/v1\noid sha256:4d\nsize 9\n", "a.xyz"),
+              HasSubstr("git lfs pull"));
+  EXPECT_THAT(error_of_text("<!DOCTYPE html>\n<html>\n", "a.xyz"), HasSubstr("web page"));
   EXPECT_THAT(error_of_text("hello\n", "a.txt"), HasSubstr("begins with \"hello\""));
 }
 
@@ -162,6 +195,45 @@ TEST(ReadMolecule, NamesAtomsOnTopOfEachOther) {
   std::string heap = "5000\n\n";
   for (int i = 0; i < 5000; ++i) heap += "C 0 0 0\n";
   EXPECT_THROW(read_text(heap, "a"), UserError);
+}
+
+// Lengths in Bohr: of graphene and of benzene, whose C-H would be 2.06.
+TEST(ReadMolecule, DoubtsAtomsWithoutNeighbours) {
+  const auto benzene = [](double unit) {
+    std::string text = "12\n\n";
+    for (int k = 0; k < 12; ++k) {
+      const double angle = k * M_PI / 3, radius = unit * (k < 6 ? 1.40 : 2.49);
+      text += (k < 6 ? "C " : "H ") + std::to_string(radius * std::cos(angle)) + " " +
+              std::to_string(radius * std::sin(angle)) + " 0\n";
+    }
+    return text;
+  };
+  EXPECT_THAT(read_text(benzene(1.0), "a").warnings, ElementsAre());
+  EXPECT_THAT(read_text(benzene(1 / 0.529177), "a").warnings,
+              ElementsAre(HasSubstr("none of 12 atoms are near enough to another for a bond")));
+  // In nanometres they are on top of each other.
+  EXPECT_THROW(read_text(benzene(0.1), "a"), UserError);
+  // Bonds may lead through the boundary.
+  EXPECT_THAT(
+      read_text("8\nLattice=\"12 0 0 0 40 0 0 0 40\" pbc=\"T F F\"\nC 0 0 0\nC 1.5 0 0\nC 3 0 0\nC 4.5 0 0\n"
+                "C 6 0 0\nC 7.5 0 0\nC 9 0 0\nC 10.5 0 0\n",
+                "a")
+          .warnings,
+      ElementsAre());
+}
+
+// A flat sheet in the box of a script for two dimensions, or without room above it.
+TEST(ReadMolecule, DoubtsCellsThinnerThanABond) {
+  const std::string sheet =
+      "2\nLattice=\"2.46 0 0 1.23 2.13 0 0 0 1\" PBC Properties=species:S:1:pos:R:3\nC 0 0 0\nC 1.23 0.71 "
+      "0\n";
+  std::string all = sheet, flat = sheet;
+  all.replace(all.find("PBC"), 3, "pbc=\"T T T\"");
+  flat.replace(flat.find("PBC"), 3, "pbc=\"T T F\"");
+  EXPECT_THAT(read_text(all, "a").warnings,
+              ElementsAre(testing::AllOf(HasSubstr("each atom is 1 Angstrom from its own image"),
+                                         HasSubstr("--boundary 'p p f'"))));
+  EXPECT_THAT(read_text(flat, "a").warnings, ElementsAre());
 }
 
 TEST(ReadMolecule, SaysWhichNamesInTheOptionsNoAtomHas) {

@@ -99,14 +99,15 @@ TEST(Xyz, ErrorsNameFileAndLine) {
 }
 
 TEST(Xyz, TakesNamesThatLeaveNoDoubt) {
-  for (const char* name : {"C", "c", "C1", "C60", "c12", "C_2", "C.ar", "carbon", "Carbon"})
+  for (const char* name :
+       {"C", "c", "C1", "C60", "c12", "C_2", "C.ar", "C_R", "C1A", "C12H", "carbon", "Carbon"})
     EXPECT_THAT(read(std::string("1\n\n") + name + " 0 0 0\n").at(0).elements, ElementsAre(Element::carbon))
         << name;
   for (const char* name : {"H", "h", "H12", "D", "hydrogen"})
     EXPECT_THAT(read(std::string("1\n\n") + name + " 0 0 0\n").at(0).elements, ElementsAre(Element::hydrogen))
         << name;
   // Calcium, or a name for carbon; a builder's names; numbers.
-  for (const char* name : {"CA", "ca", "CT", "HC", "CB1", "1", "6", "X"}) {
+  for (const char* name : {"CA", "ca", "CT", "HC", "CB1", "1", "6", "X", "CH2", "C2H6", "C10H22", "H2O"}) {
     const std::string text = std::string("1\n\n") + name + " 0 0 0\n";
     EXPECT_THAT(error_of(text),
                 AllOf(HasSubstr("test.xyz:3: "), HasSubstr(std::string("--types ") + name + "=C")));
@@ -155,6 +156,39 @@ TEST(Xyz, ReadsTheCommentLinesOfOtherPrograms) {
     EXPECT_EQ(m.cell->vectors, Mat3(Vec3(4, 5, 6).asDiagonal())) << comment;
     EXPECT_EQ(m.cell->periodic, (std::array{true, true, true})) << comment;
   }
+}
+
+// i-PI gives cell and units so; by default both are in Bohr.
+TEST(Xyz, RefusesUnitsThatItDoesNotRead) {
+  for (const char* comment :
+       {"# CELL(abcABC): 20 20 20 90 90 90 Step: 0 Bead: 0 positions{atomic_unit} cell{atomic_unit}",
+        "# CELL(GENH): 9 0 0 0 9 0 0 0 9 Step: 0 Bead: 0 x_centroid{angstrom}"})
+    EXPECT_THAT(error_of(std::string("1\n") + comment + "\nC 0 0 0\n"),
+                AllOf(HasSubstr("test.xyz:2: "), HasSubstr("i-PI"), HasSubstr("Lattice=")));
+}
+
+// ASE writes pbc="F F F" for atoms that were never told to be periodic.
+TEST(Xyz, DoubtsOpenCellsThatBondsLeadThrough) {
+  const auto warnings = [](const std::string& pbc, double height, const MoleculeReadOptions& options = {}) {
+    std::string text =
+        "8\nLattice=\"4.26 0 0 0 4.92 0 0 0 10\" Properties=species:S:1:pos:R:3 pbc=\"" + pbc + "\"\n";
+    for (const double y : {0.0, 2.46})
+      for (const auto& [x, dy] : {std::pair{0.0, 0.0}, {0.71, 1.23}, {2.13, 1.23}, {2.84, 0.0}})
+        text += "C " + std::to_string(x) + " " + std::to_string(y + dy) + " " + std::to_string(height) + "\n";
+    return test::read_frames(text, "a.xyz", options).at(0).warnings;
+  };
+  EXPECT_THAT(warnings("F F F", 5), testing::ElementsAre(AllOf(HasSubstr("bonds would lead through"),
+                                                               HasSubstr("--boundary 'p p f'"))));
+  EXPECT_THAT(warnings("T F F", 5), testing::ElementsAre(HasSubstr("--boundary 'p p f'")));
+  EXPECT_THAT(warnings("F F F", -0.1), testing::ElementsAre(HasSubstr("--boundary 'p p f'")));
+  EXPECT_THAT(warnings("T T F", 5), ElementsAre());
+  EXPECT_THAT(warnings("T T T", 5), ElementsAre());
+  EXPECT_THAT(warnings("F F F", 5, {.periodic = std::array{false, false, false}}), ElementsAre());
+}
+
+TEST(Xyz, SaysWhereNumbersStandBeforeNames) {
+  EXPECT_THAT(error_of("1\n20 20 20 90 90 90\n1 C 0 0 0 2 3 4\n"),
+              HasSubstr("a number stands before the name"));
 }
 
 TEST(Xyz, TurnsLeftHandedLatticesRound) {

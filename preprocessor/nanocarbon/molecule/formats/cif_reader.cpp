@@ -102,12 +102,23 @@ std::vector<Operation> operations_of(const Block& block, std::vector<std::string
   };
   const std::string hall = block.value({"_space_group_name_hall", "_symmetry_space_group_name_hall"});
   const std::string name = block.value({"_space_group_name_h-m_alt", "_symmetry_space_group_name_h-m"});
+  bool origin_is_open = false;
   try {
     if (!hall.empty()) return all(gemmi::symops_from_hall(hall.c_str()));
-    if (const gemmi::SpaceGroup* group = name.empty() ? nullptr : gemmi::find_spacegroup_by_name(name))
-      return all(group->operations());
+    const bool is_number = name.find_first_not_of("0123456789 ") == std::string::npos;
+    const double alpha = cif_number(block.value({"_cell_angle_alpha"})),
+                 gamma =
+                     cif_number(block.value({"_cell_angle_gamma"}));  // tell hexagonal axes from rhombohedral
+    const gemmi::SpaceGroup* group = is_number ? nullptr : gemmi::find_spacegroup_by_name(name, alpha, gamma);
+    if (group != nullptr && group->ext == '1' && name.find(':') == std::string::npos) origin_is_open = true;
+    if (group != nullptr && !origin_is_open) return all(group->operations());
   } catch (const std::exception&) {  // said below
   }
+  if (origin_is_open)
+    block.fail(fmt::format("the space group '{}' has two origins in use; list its operations "
+                           "(_space_group_symop_operation_xyz), or write '{} :1' or '{} :2'",
+                           shown(name), shown(name), shown(name)),
+               Failure::unsuitable);
   if (!hall.empty() || !name.empty())
     block.fail(fmt::format("the space group '{}' is not known, and its operations are not listed",
                            shown(hall.empty() ? name : hall)),

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "nanocarbon/core/error.h"
 #include "nanocarbon/molecule/formats/lammps_data_assembly.h"
 
 namespace nanocarbon::molecule {
@@ -21,10 +22,16 @@ Line split_comment(std::string_view line) {
   return {trimmed(line.substr(0, hash)), trimmed(line.substr(hash + 1))};
 }
 
-// Within sections a line may begin with a letter, where types have labels, but then holds numbers.
-bool is_section_name(std::string_view text) {
+// Within sections a line may begin with a letter, where types have labels, but then holds numbers. Names that any
+// file may have need no blank line before them, as for LAMMPS itself.
+bool is_section_name(std::string_view text, bool after_blank) {
   const bool letter = (text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= 'a' && text[0] <= 'z');
-  return letter && (text.ends_with("Coeffs") || text.find_first_of("0123456789") == std::string_view::npos);
+  if (!letter) return false;
+  for (const std::string_view name : {"Atoms", "Masses", "Velocities", "Bonds", "Angles", "Dihedrals",
+                                      "Impropers", "Ellipsoids", "Lines", "Triangles", "Bodies"})
+    if (text == name) return true;
+  if (text.ends_with(" Coeffs") || text.ends_with(" Type Labels")) return true;
+  return after_blank && text.find_first_of("0123456789") == std::string_view::npos;
 }
 
 bool ends_with(const Words& words, std::initializer_list<std::string_view> end) {
@@ -44,6 +51,21 @@ void parse_bounds(const TextInput& input, const Words& words, int d, LammpsFile&
 void parse_general_vector(const TextInput& input, const Words& words, Eigen::Ref<Vec3> vector) {
   for (int k = 0; k < 3; ++k)
     vector[k] = input.coordinate(words[static_cast<std::size_t>(k)], "a box vector");
+}
+
+// The first line of what LAMMPS writes tells the units that the script had: "..., timestep = 0, units = real".
+void check_units(const TextInput& input) {
+  constexpr std::string_view before = "units = ";
+  const std::string_view line = trimmed(input.line());
+  const std::size_t at = line.find(before);
+  if (!line.starts_with("LAMMPS") || at == std::string_view::npos) return;
+  Words words;
+  split_words(line.substr(at + before.size()), words);
+  if (words.empty() || words[0] == "metal" || words[0] == "real") return;
+  throw UserError(Failure::unsuitable,
+                  fmt::format("{}:1: the file has units {} by its first line; lengths must be in Angstrom "
+                              "(units metal or real)",
+                              input.name(), shown(words[0])));
 }
 
 // One line before the first section. Counts and bounds that play no part here are passed over.
@@ -125,7 +147,8 @@ LammpsFile parse(TextInput& input, const ReadSettings& settings) {
   std::optional<AtomColumns> columns;
   Words words;
   bool after_blank = true;
-  input.next_line();  // LAMMPS passes over the first line whatever it holds
+  // LAMMPS passes over the first line whatever it holds.
+  if (input.next_line()) check_units(input);
   while (input.next_line()) {
     const Line line = split_comment(input.line());
     if (line.text.empty()) {
@@ -133,7 +156,7 @@ LammpsFile parse(TextInput& input, const ReadSettings& settings) {
       if (section == Section::header) parse_boundary(line.comment, file);
       continue;
     }
-    if (after_blank && is_section_name(line.text)) {
+    if (is_section_name(line.text, after_blank)) {
       section = section_of(line.text);
       if (section == Section::atoms) {
         if (columns) input.fail("there is more than one Atoms section");

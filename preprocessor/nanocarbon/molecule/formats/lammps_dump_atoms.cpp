@@ -54,12 +54,8 @@ class ElementColumn {
  public:
   ElementColumn(const TextInput& input, const Columns& columns, ReadSettings& settings)
       : columns_(columns), types_(settings.types), species_(settings.types) {
-    if (columns.element || columns.mass || (columns.type && !types_.empty())) return;
-    throw UserError(Failure::unsuitable,
-                    fmt::format("{}:{}: no column says what the atoms are (element or mass): {}",
-                                input.name(), input.number(),
-                                columns.type ? "give the elements of the types, as in --types C H"
-                                             : "write the dump again with a column element or type"));
+    if (!columns.element && !columns.mass && !columns.type)
+      nothing_says(input, "write the dump again with a column element or type");
   }
 
   Element of(const TextInput& input, Words words) {
@@ -71,9 +67,13 @@ class ElementColumn {
       return species_.of_name(input, name);
     }
     if (columns_.mass) return of_mass(input, words[*columns_.mass]);
-    throw UserError(Failure::unsuitable,
-                    fmt::format("{}:{}: --types does not say what type {} is", input.name(), input.number(),
-                                shown(words[*columns_.type])));
+    const std::string_view type = words[*columns_.type];
+    std::int64_t number = 0;
+    if (!parse_integer(type, number)) return species_.of_name(input, type);  // dump_modify types labels
+    if (types_.empty())
+      nothing_says(input, "give the elements of the types, as in --types C (of type 1) or --types C H");
+    throw UserError(Failure::unsuitable, fmt::format("{}:{}: --types does not say what type {} is",
+                                                     input.name(), input.number(), shown(type)));
   }
 
   // LAMMPS calls every type C unless dump_modify element says otherwise.
@@ -88,6 +88,12 @@ class ElementColumn {
   }
 
  private:
+  [[noreturn]] static void nothing_says(const TextInput& input, std::string_view remedy) {
+    throw UserError(Failure::unsuitable,
+                    fmt::format("{}:{}: no column says what the atoms are (element or mass): {}",
+                                input.name(), input.number(), remedy));
+  }
+
   void note(std::string_view type, std::string_view name) {
     if (type == noted_) return;
     noted_ = type;

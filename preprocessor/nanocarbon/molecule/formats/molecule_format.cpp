@@ -51,13 +51,39 @@ bool are_numbers(const Words& words, std::size_t first, std::size_t count) {
                      [&](std::string_view word) { return parse_real(word, ignored); });
 }
 
-// Line 2 is the scale, lines 3 to 5 are the vectors.
+bool are_integers(const Words& words) {
+  return !words.empty() && std::all_of(words.begin(), words.end(), is_integer);
+}
+
+// Line 2 is the scale, lines 3 to 5 are the vectors, line 6 or 7 has the numbers of atoms. DL_POLY's files begin
+// alike, and so do XYZ files whose comment is an energy and whose atoms are atomic numbers.
 bool is_poscar(const Lines& lines) {
   if (lines.size() < 7) return false;
   const Words scale = words_of(lines[1]);
   if ((scale.size() != 1 && scale.size() != 3) || !are_numbers(scale, 0, scale.size())) return false;
-  return std::all_of(lines.begin() + 2, lines.begin() + 5,
-                     [](std::string_view line) { return are_numbers(words_of(line), 0, 3); });
+  if (!std::all_of(lines.begin() + 2, lines.begin() + 5,
+                   [](std::string_view line) { return are_numbers(words_of(line), 0, 3); }))
+    return false;
+  if (are_integers(words_of(lines[0])) && words_of(lines[2]).size() > 3) return false;
+  const Words names = words_of(lines[5].substr(0, lines[5].find('!'))),
+              counts = words_of(lines[6].substr(0, lines[6].find('!')));
+  if (are_integers(names)) return true;
+  const bool is_site = names.size() > 1 && is_integer(names[1]) && names.size() != counts.size();
+  return are_integers(counts) && !is_site;
+}
+
+// CONFIG and REVCON of DL_POLY: two or more whole numbers, then three vectors, a name and its number, a position.
+bool is_dl_poly(const Lines& lines) {
+  if (lines.size() < 7) return false;
+  const Words kinds = words_of(lines[1]);
+  if (kinds.size() < 2 || !is_integer(kinds[0]) || !is_integer(kinds[1])) return false;
+  for (const std::size_t first : {std::size_t{2}, std::size_t{5}}) {  // without and with vectors
+    if (first + 1 >= lines.size()) return false;
+    const Words name = words_of(lines[first]), position = words_of(lines[first + 1]);
+    if (name.size() >= 2 && !are_numbers(name, 0, 1) && is_integer(name[1]) && are_numbers(position, 0, 3))
+      return true;
+  }
+  return false;
 }
 
 // A number of atoms, a comment, and an atom: its name and three numbers, in columns that Properties may move.
@@ -129,7 +155,27 @@ void refuse_by_kind(std::string_view head, const Lines& lines, const std::string
   if (head.size() > 8 && head.substr(4, 4) == "CORD")
     refuse(file, "it is a DCD trajectory, which has no elements; write an XYZ file or a dump instead");
   if (head.find('\0') != std::string_view::npos) refuse(file, "it is a binary file");
+  if (head.starts_with("version https://git-lfs"))
+    refuse(file, "it is a pointer of Git LFS in place of the file; fetch the file with git lfs pull");
+  if (!lines.empty() &&
+      (lower_case(lines[0]).starts_with("<!doctype html") || lower_case(lines[0]).starts_with("<html")))
+    refuse(file, "it is a web page in place of the file; download the file itself");
+  if (is_dl_poly(lines)) refuse(file, "it is a configuration of DL_POLY");
+  bool template_atoms = false;
   for (const std::string_view line : lines) {
+    if (line.starts_with("!BIOSYM")) refuse(file, "it is a CAR or MDF file of Materials Studio");
+    if (line.ends_with("V2000") || line.ends_with("V3000")) refuse(file, "it is a MOL or SDF file");
+    if (lower_case(line).starts_with("&force_eval")) refuse(file, "it is input of CP2K");
+    if (line.starts_with("vasp.")) refuse(file, "it is an OUTCAR of VASP");
+    if (line.starts_with("Number of particles =")) refuse(file, "it is a CFG file of AtomEye");
+    if (line == "PRIMVEC" || line == "PRIMCOORD" || line.starts_with("ANIMSTEPS"))
+      refuse(file, "it is an XSF file");
+    if (line.starts_with("ATOMIC_POSITIONS") || lower_case(line).starts_with("&control"))
+      refuse(file, "it is a file of Quantum ESPRESSO");
+    if (lower_case(line).starts_with("%block")) refuse(file, "it is input of CASTEP or Siesta");
+    template_atoms = template_atoms || line.ends_with(" atoms");
+    if (template_atoms && line == "Coords")
+      refuse(file, "it is a molecule file of LAMMPS, which has no box; write a data file (write_data)");
     if (line.starts_with("ATOM  ") || line.starts_with("HETATM") || line.starts_with("CRYST1"))
       refuse(file, "it is a PDB file; convert it to XYZ, for example with ASE or OVITO");
     if (line.starts_with("@<TRIPOS>"))
@@ -137,7 +183,8 @@ void refuse_by_kind(std::string_view head, const Lines& lines, const std::string
     if (line.starts_with("pair_style ") || line.starts_with("read_data "))
       refuse(file, "it is a LAMMPS script; give the data file that it reads");
   }
-  if (!lines.empty() && lines[0].starts_with("<?xml")) refuse(file, "it is XML, perhaps of VASP");
+  if (!lines.empty() && lines[0].starts_with("<?xml"))
+    refuse(file, "it is XML, perhaps of VASP, Materials Studio or CML");
   if (!lines.empty() && lines[0].starts_with("{")) refuse(file, "it is JSON, perhaps of ASE");
   if (!lines.empty() && (lines[0] == "OFF" || lines[0] == "ply" || lines[0].starts_with("solid ")))
     refuse(file, "it is a mesh; make a molecule from it with nanocarbon build");

@@ -127,7 +127,8 @@ std::vector<MoleculeFrame> read_poscar(TextInput& input, ReadSettings& settings)
   if (!number) {
     if (initial() == 's') words = next_words(input, "Direct or Cartesian");
     const bool cartesian = initial() == 'c' || initial() == 'k';
-    if (!cartesian && initial() != 'd') input.fail("expected Direct or Cartesian");
+    if (!cartesian && initial() != 'd' && initial() != 'f')  // fractional, for VASP the same as direct
+      input.fail("expected Direct or Cartesian");
     frames.push_back(read_positions(input, head, cartesian));
     return frames;
   }

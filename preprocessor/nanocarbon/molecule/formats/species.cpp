@@ -37,8 +37,18 @@ AtomicNumber said_element(const std::string& word) {
   return *z;
 }
 
+// C2H6, H2O: united atoms and beads. C1A and C12B are labels of crystals.
+bool is_formula(std::string_view name) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (name == "H2O") return true;
+  std::size_t i = 1;
+  while (i < name.size() && is_digit(name[i])) ++i;
+  return name[0] == 'C' && i > 1 && i + 1 < name.size() && name[i] == 'H' && is_digit(name[i + 1]);
+}
+
 // What a name could stand for, for the message that refuses it.
 std::string why_doubtful(std::string_view name) {
+  if (!name.empty() && is_formula(name)) return "could be a group of atoms";
   if (is_number(name)) return "is a number, which could be a type or an element";
   if (name.size() >= 2 && is_letter(name[0]) && is_letter(name[1])) {
     const auto two = atomic_number_of_symbol(upper_initial(name.substr(0, 2)));
@@ -53,7 +63,7 @@ std::string why_doubtful(std::string_view name) {
 std::optional<AtomicNumber> atomic_number_of_label(std::string_view label) {
   const auto end = std::find_if_not(label.begin(), label.end(), is_letter);
   const std::string_view letters = label.substr(0, static_cast<std::size_t>(end - label.begin()));
-  if (letters.empty()) return std::nullopt;
+  if (letters.empty() || is_formula(label)) return std::nullopt;
   if (letters.size() == 1) {
     if (label == "D") return AtomicNumber{1};  // deuterium
     return atomic_number_of_symbol(upper_initial(letters));
@@ -106,16 +116,20 @@ Element SpeciesReader::of_name(const TextInput& input, std::string_view name) {
 }
 
 Element SpeciesReader::look_up(const TextInput& input, std::string_view name) {
-  const std::string where = fmt::format("{}:{}", input.name(), input.number());
+  // CIF is not read by lines.
+  const std::string where =
+      input.number() == 0 ? input.name() : fmt::format("{}:{}", input.name(), input.number());
   const std::string quoted = shown(name);
+  const std::string line =
+      input.number() == 0 ? "" : fmt::format("; the line is \"{}\"", shown(trimmed(input.line())));
   if (const auto said = types_.find(name))
     return carbon_or_hydrogen(*said, where, fmt::format("'{}' (by --types)", quoted));
   const auto z = is_number(name) ? std::nullopt : atomic_number_of_label(name);
   if (!z)
-    throw UserError(Failure::unsuitable, fmt::format("{}: the atom's name '{}' {}: say what it is with "
-                                                     "--types {}=C or --types {}=H; the line is \"{}\"",
-                                                     where, quoted, why_doubtful(name), quoted, quoted,
-                                                     shown(trimmed(input.line()))));
+    throw UserError(Failure::unsuitable,
+                    fmt::format("{}: the atom's name '{}' {}: say what it is with "
+                                "--types {}=C or --types {}=H{}",
+                                where, quoted, why_doubtful(name), quoted, quoted, line));
   return carbon_or_hydrogen(*z, where, fmt::format("'{}'", quoted));
 }
 

@@ -37,7 +37,8 @@ class Elements {
     const LammpsType type = found == types_.end() ? LammpsType{} : found->second;
     const std::string where = fmt::format("{}:{}", input_.name(), line), what = described(number, type);
     std::optional<AtomicNumber> by_mass;
-    if (type.mass && !stands_for_no_mass(*type.mass, types_)) by_mass = atomic_number_of_mass(*type.mass);
+    const bool has_mass = type.mass && !stands_for_no_mass(*type.mass, types_);
+    if (has_mass) by_mass = atomic_number_of_mass(*type.mass);
 
     std::optional<AtomicNumber> said = settings_.types.find(fmt::format("{}", number));
     if (!said && !type.label.empty()) said = settings_.types.find(type.label);
@@ -53,11 +54,11 @@ class Elements {
       if (is_carbon_or_hydrogen(by_mass) && is_carbon_or_hydrogen(by_name) && by_mass != by_name)
         refuse(where, fmt::format("{} has the mass of {}, but is called {}", what, element_name(*by_mass),
                                   element_name(*by_name)));
+    // A bead of a coarse model may be called C1; its mass tells that it is no atom.
+    if (has_mass && !by_mass) refuse(where, fmt::format("{} has a mass that no element has", what));
     for (const auto z : {by_mass, by_label, by_comment})
       if (z) return carbon_or_hydrogen(*z, where, what);
-    refuse(where, type.mass && !stands_for_no_mass(*type.mass, types_)
-                      ? fmt::format("{} has a mass that no element has", what)
-                      : fmt::format("nothing in the file says what {} is (no mass, label or name)", what));
+    refuse(where, fmt::format("nothing in the file says what {} is (no mass, label or name)", what));
   }
 
  private:

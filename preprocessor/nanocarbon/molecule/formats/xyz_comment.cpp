@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "nanocarbon/core/error.h"
@@ -86,7 +88,15 @@ std::array<bool, 3> parse_pbc(const TextInput& input, std::string_view text) {
   return periodic;
 }
 
-std::optional<Cell> parse_cell(const TextInput& input, const Keys& keys, const ReadSettings& settings) {
+std::optional<Cell> parse_cell(const TextInput& input, const Keys& keys, const ReadSettings& settings,
+                               std::optional<Cell>& whole) {
+  for (const char* mark : {"CELL(", "CELL{", "cell{", "positions{"})  // of i-PI, often in Bohr
+    if (input.line().find(mark) != std::string_view::npos)
+      throw UserError(
+          Failure::unsuitable,
+          fmt::format("{}:{}: the comment gives cell and units in i-PI's form, which is not read; "
+                      "give the cell as Lattice=\"ax ay az bx by bz cx cy cz\", all in Angstrom",
+                      input.name(), input.number()));
   const auto lattice = keys.find("lattice"), pbc = keys.find("pbc");
   Cell cell;
   if (pbc != keys.end()) cell.periodic = parse_pbc(input, pbc->second);
@@ -107,6 +117,8 @@ std::optional<Cell> parse_cell(const TextInput& input, const Keys& keys, const R
     cell.vectors.col(d) = vector_of(input, words, 3 * static_cast<std::size_t>(d), "Lattice");
   if (const auto origin = keys.find("origin"); origin != keys.end())
     cell.origin = vector_of(input, values(input, origin->second, 3, "Origin", separated), 0, "Origin");
+  const bool open = std::count(cell.periodic.begin(), cell.periodic.end(), false) > 0;
+  if (open && !settings.periodic && cell.vectors.determinant() > 1.0) whole = cell;
   return cell_as_read(input, cell, settings);
 }
 
@@ -159,7 +171,7 @@ std::optional<std::int64_t> step_of_lammps(std::string_view line) {
 XyzComment parse_xyz_comment(const TextInput& input, const ReadSettings& settings) {
   const Keys keys = parse_keys(input.line());
   XyzComment comment;
-  comment.cell = parse_cell(input, keys, settings);
+  comment.cell = parse_cell(input, keys, settings, comment.lattice);
   if (const auto p = keys.find("properties"); p != keys.end())
     comment.columns = parse_properties(input, p->second);
   comment.step = step_of_lammps(input.line());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "nanocarbon/molecule/formats/distance_warnings.h"
 #include "nanocarbon/molecule/formats/xyz_comment.h"
 
 namespace nanocarbon::molecule {
@@ -22,6 +23,16 @@ void check_what_follows(TextInput& input, std::size_t atoms, Words& words) {
                     "another frame, alone on its line",
                     atoms));
   input.give_back_line();
+}
+
+// "1 C 0.0 0.0 1.4": the second word is no number, where x should be, but a name.
+bool is_numbered(const Words& words, const XyzColumns& columns) {
+  std::int64_t number = 0;
+  double coordinate = 0.0;
+  return columns.species == 0 && columns.position == 1 && words.size() >= 5 &&
+         parse_integer(words[0], number) && !parse_real(words[1], coordinate) &&
+         atomic_number_of_label(words[1]).has_value() && parse_real(words[2], coordinate) &&
+         parse_real(words[3], coordinate) && parse_real(words[4], coordinate);
 }
 
 // A property that is called id is used as such where it tells the atoms apart.
@@ -60,6 +71,10 @@ std::optional<MoleculeFrame> read_xyz_frame(TextInput& input, ReadSettings& sett
     if (words.size() < columns.least)
       input.fail(fmt::format("expected at least {} columns for atom {}, found {}", columns.least, i + 1,
                              words.size()));
+    if (i == 0 && is_numbered(words, columns))
+      input.fail(
+          "a number stands before the name of the atom, as in files of Tinker; remove these numbers, so "
+          "that each line is NAME X Y Z");
     const std::string_view name = words[columns.species];
     frame.molecule.elements.push_back(columns.atomic_numbers ? species.of_atomic_number(input, name)
                                                              : species.of_name(input, name));
@@ -72,6 +87,9 @@ std::optional<MoleculeFrame> read_xyz_frame(TextInput& input, ReadSettings& sett
   }
   if (columns.id) use_ids(std::move(ids), frame);
   check_what_follows(input, atoms, words);
+  if (comment.lattice)
+    if (const auto doubt = bonds_through_open_faces(frame.molecule, *comment.lattice))
+      frame.warnings.push_back(*doubt);
   return frame;
 }
 
