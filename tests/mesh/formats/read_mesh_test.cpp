@@ -68,6 +68,11 @@ TEST_F(ReadMesh, WhatIsNoMeshIsSaidSo) {
   EXPECT_THAT(malformed(file("a.obj", std::string("v\0 \0001\0 \0", 8))), HasSubstr("UTF-16"));
   EXPECT_THAT(malformed(file("a.off", std::string("\0O\0F\0F\0\n", 8))), HasSubstr("UTF-16"));
   EXPECT_THAT(malformed(file("a.stl", "PK\x03\x04")), HasSubstr("ZIP archive"));
+  for (const char* name : {"a.off", "a.obj", "a.ply", "a.stl"}) {
+    EXPECT_THAT(malformed(file(name, "version https://git-lfs.github.com/spec/v1\noid sha256:4d\nsize 9\n")),
+                HasSubstr("git lfs pull"));
+    EXPECT_THAT(malformed(file(name, "\n<!DOCTYPE html>\n<html></html>\n")), HasSubstr("web page"));
+  }
 }
 
 // A locale with a decimal comma, as German and French have it, whichever are installed.

@@ -40,6 +40,7 @@ TEST(ReadOff, PlainFileInEveryLayoutInUse) {
   expect_tetrahedron("OFF " + tetrahedron);  // counts on the header's line
   expect_tetrahedron("OFF" + tetrahedron);   // as in the ModelNet collection
   expect_tetrahedron(tetrahedron);           // the header is optional
+  expect_tetrahedron("off\n" + tetrahedron);
   expect_tetrahedron("# made by hand\n\nOFF # header\n# counts\n" + tetrahedron);
   expect_tetrahedron("\xEF\xBB\xBFOFF\n" + tetrahedron);
   expect_tetrahedron(with_line_ends("OFF\n" + tetrahedron, "\r\n"));
@@ -48,8 +49,29 @@ TEST(ReadOff, PlainFileInEveryLayoutInUse) {
   expect_tetrahedron("OFF\n" + tetrahedron.substr(0, tetrahedron.size() - 1));  // no last line end
 }
 
+// Geomview reads numbers, whatever lines they are on.
+TEST(ReadOff, NumbersMayStandOnAnyLine) {
+  const std::string vertices = "0 0 0 1 0 0 0 1 0 0 0 1", faces = "3 0 2 1 3 0 1 3 3 1 2 3 3 2 0 3";
+  for (const std::string edges : {" 6", ""}) {
+    const std::string numbers = "4 4" + edges + " " + vertices + " " + faces + "\n";
+    expect_tetrahedron("OFF " + numbers);
+    expect_tetrahedron("OFF\n4 4" + edges + "\n" + vertices + "\n" + faces + "\n");
+    expect_tetrahedron("OFF\n4 4" + edges + "\n0 0 0 1 0 0\n0 1 0 0 0 1\n3 0 2 1 3 0 1 3\n3 1 2 3 3 2 0 3\n");
+    std::string lines = numbers;
+    for (char& c : lines)
+      if (c == ' ') c = '\n';
+    expect_tetrahedron("OFF\n" + lines);
+  }
+  // But all of them belong to vertices and faces, and the message is that of the lines.
+  EXPECT_THAT(refused("OFF\n4 4 6 " + vertices + " " + faces + " 9\n"),
+              HasSubstr("ends after 0 of 4 vertices"));
+  EXPECT_THAT(refused("OFF\n4 4 6\n" + vertices + "\n3 0 2 1 3 0 1 4 3 1 2 3 3 2 0 3\n"),
+              HasSubstr("the file ends"));
+}
+
 TEST(ReadOff, ColoursNormalsAndTextureCoordinatesArePassedOver) {
-  for (const std::string header : {"COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF"}) {
+  // In Geomview's order and in MeshLab's.
+  for (const std::string header : {"COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF", "NCOFF", "NCSTOFF"}) {
     const PolygonSoup soup = parse_mesh(
         header + "\n3 1 0\n1 2 3 .5 .5 .5 1\n4 5 6 0 0 0 1\n7 8 9 0 0 0 1\n3 0 1 2 255 0 0\n", "a.off");
     EXPECT_THAT(soup.points, ElementsAre(Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9))) << header;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -59,6 +60,20 @@ std::string refused(const std::string& contents) {
   return test::refusal(Failure::malformed, [&] { parse_mesh(contents, "a.stl"); });
 }
 
+//! A tetrahedron, which is closed, with a count that may be wrong.
+std::string closed_binary(std::uint32_t count) {
+  std::string bytes(80, ' ');
+  append(bytes, count);
+  const std::array<Vec3, 4> corner = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  for (const auto& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+    for (int i = 0; i < 3; ++i) append(bytes, 0.0f);
+    for (const int v : face)
+      for (const double x : corner[v]) append(bytes, static_cast<float>(x));
+    append(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
 TEST(ReadStl, TextAndBinaryGiveTheSameMeshWithCornersJoined) {
   expect_two_triangles(parse_mesh(as_text(), "a.stl"));
   expect_two_triangles(parse_mesh(as_binary(), "a.stl"));
@@ -87,6 +102,58 @@ TEST(ReadStl, KeywordsInCapitalsAndMissingEndsolid) {
   EXPECT_THAT(soup.notes, testing::Contains(HasSubstr("endsolid")));
 }
 
+// Some programs write a triangle on a line, or all of them, or part words that others write as one.
+TEST(ReadStl, LinesDoNotMatter) {
+  std::string one_line = as_text(), parted = as_text();
+  for (char& c : one_line)
+    if (c == '\n') c = ' ';
+  expect_two_triangles(parse_mesh(one_line, "a.stl"));
+  EXPECT_EQ(parse_mesh(one_line + one_line, "a.stl").faces(), 4u);
+  std::string line_each;
+  for (std::size_t i = 0; i < one_line.size(); ++i) {
+    line_each += one_line[i];
+    if (i >= 8 && one_line.substr(i - 8, 9) == "endfacet ") line_each += '\n';
+  }
+  expect_two_triangles(parse_mesh(line_each, "a.stl"));
+  for (const std::string word : {"loop", "facet", "solid"})
+    for (std::size_t at = 0; (at = parted.find("end" + word, at)) != parted.npos; at += 4)
+      parted.replace(at, 3, "end ");
+  expect_two_triangles(parse_mesh(parted, "a.stl"));
+  // A corner that is missing is not made up for by the next triangle's.
+  std::string short_of_one = one_line;
+  short_of_one.erase(
+      short_of_one.find("vertex"),
+      short_of_one.find("vertex", short_of_one.find("vertex") + 1) - short_of_one.find("vertex"));
+  EXPECT_THAT(refused(short_of_one), HasSubstr("expected 'vertex' in triangle 0, found 'endloop'"));
+}
+
+TEST(ReadStl, WhatStandsBeforeTheFirstSolidIsPassedOver) {
+  for (const std::string before :
+       {"# by hand\n", "; exported\n\n", "// one\n// two\n", "Exported by a program\n"})
+    expect_two_triangles(parse_mesh(before + as_text(), "a.stl"));
+  std::string bare = as_text().substr(as_text().find("facet"));
+  expect_two_triangles(parse_mesh(bare.substr(0, bare.find("endsolid")), "a.stl"));
+}
+
+// The header's text is that of no byte order, so only a count that is right in the other one tells.
+TEST(ReadStl, BigEndianFilesAreRead) {
+  std::string bytes = closed_binary(4);
+  const auto turn = [&](std::size_t at) {
+    std::reverse(bytes.begin() + static_cast<long>(at), bytes.begin() + static_cast<long>(at) + 4);
+  };
+  turn(80);
+  for (std::size_t triangle = 0; triangle < 4; ++triangle)
+    for (std::size_t k = 0; k < 12; ++k) turn(84 + 50 * triangle + 4 * k);
+  const PolygonSoup turned = parse_mesh(bytes, "a.stl"), plain = parse_mesh(closed_binary(4), "a.stl");
+  EXPECT_EQ(turned.points, plain.points);
+  EXPECT_EQ(turned.corners, plain.corners);
+  EXPECT_THAT(turned.notes, testing::Contains(HasSubstr("big-endian")));
+}
+
+TEST(ReadStl, TextThatIsNoStlIsSaidSo) {
+  EXPECT_THAT(refused("hello\n"), HasSubstr("a.stl:1: the file is text, but no STL"));
+}
+
 TEST(ReadStl, SeveralSolidsAreOneMesh) { EXPECT_EQ(parse_mesh(as_text() + as_text(), "a.stl").faces(), 4u); }
 
 TEST(ReadStl, ZeroAndMinusZeroAreOnePlace) {
@@ -104,20 +171,6 @@ TEST(ReadStl, ColoursArePassedOver) {
   std::string text = as_text();
   text.insert(text.find("  facet"), "color 0.5 0.5 0.5\n");
   expect_two_triangles(parse_mesh(text, "a.stl"));
-}
-
-//! A tetrahedron, which is closed, with a count that may be wrong.
-std::string closed_binary(std::uint32_t count) {
-  std::string bytes(80, ' ');
-  append(bytes, count);
-  const std::array<Vec3, 4> corner = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
-  for (const auto& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
-    for (int i = 0; i < 3; ++i) append(bytes, 0.0f);
-    for (const int v : face)
-      for (const double x : corner[v]) append(bytes, static_cast<float>(x));
-    append(bytes, std::uint16_t{0});
-  }
-  return bytes;
 }
 
 TEST(ReadStl, AWrongCountIsRightedByTheLengthOfAFileThatCloses) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -76,6 +77,19 @@ bool is_utf16(std::string_view contents) {
   return false;
 }
 
+// What a download may leave in place of the file.
+void require_the_file_itself(std::string_view contents, const std::string& file) {
+  const char* what = nullptr;
+  if (contents.starts_with("version https://git-lfs"))
+    what = "is a pointer of Git LFS in place of the mesh; fetch the mesh with git lfs pull";
+  std::string beginning(contents.substr(0, 64));
+  for (char& c : beginning) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::size_t first = std::min(beginning.find_first_not_of(" \t\r\n"), beginning.size());
+  if (beginning.compare(first, 9, "<!doctype") == 0 || beginning.compare(first, 5, "<html") == 0)
+    what = "is a web page in place of the mesh; download the mesh itself";
+  if (what != nullptr) throw UserError(Failure::malformed, fmt::format("{}: the file {}", file, what));
+}
+
 [[noreturn]] void fail_unknown(std::string_view contents, const std::string& file) {
   const char* what = "is not an OFF, OBJ, PLY or STL file";
   if (contents.empty()) what = "is empty";
@@ -122,6 +136,7 @@ PolygonSoup parse_mesh(std::string_view contents, const std::string& file) {
   if (is_utf16(contents) && !has_binary_stl_size(contents))
     throw UserError(Failure::malformed,
                     fmt::format("{}: the file is text in UTF-16; save it as UTF-8 or ASCII", file));
+  require_the_file_itself(contents, file);
   PolygonSoup soup = parse_faces(contents, file);
   soup.cell = cell_in_comment(contents, file);
   return soup;

@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "nanocarbon/core/error.h"
+#include "nanocarbon/core/text_numbers.h"
 #include "nanocarbon/mesh/formats/text_scanner.h"
 
 namespace nanocarbon::mesh {
@@ -15,13 +19,22 @@ namespace {
 struct Counts {
   std::uint64_t vertices;
   std::uint64_t faces;
+  bool plain;  // nothing but coordinates belongs to a vertex
 };
 
-// Length of the header word that the text begins with, 0 for none. Geomview's order: [ST][C][N][4][n]OFF.
+// Length of the header word that the text begins with, 0 for none. Geomview's order is [ST][C][N][4][n]OFF, MeshLab's
+// [N][C][ST]OFF.
 std::size_t header_length(std::string_view text) {
+  if (text.starts_with("off") && (text.size() == 3 || text.find_first_of(" \t\r\n") == 3)) return 3;
   std::size_t length = 0;
-  for (const std::string_view part : {"ST", "C", "N", "4", "n"})
-    if (text.substr(length).starts_with(part)) length += part.size();
+  for (bool found = true; found && length < 7;) {
+    found = false;
+    for (const std::string_view part : {"ST", "C", "N", "4", "n"})
+      if (text.substr(length).starts_with(part)) {
+        length += part.size();
+        found = true;
+      }
+  }
   return text.substr(length).starts_with("OFF") ? length + 3 : 0;
 }
 
@@ -39,7 +52,8 @@ Counts read_counts(TextScanner& scanner) {
     if (scanner.at_line_end() && !scanner.next_line()) scanner.fail("the file ends before the counts");
   }
   const std::uint64_t vertices = scanner.count("number of vertices");
-  return {vertices, scanner.count("number of faces")};
+  if (TextScanner next = scanner; scanner.at_line_end() && next.next_line()) scanner = std::move(next);
+  return {vertices, scanner.count("number of faces"), length <= 3};
 }
 
 void read_vertex(TextScanner& scanner, PolygonSoup& soup) {
@@ -78,18 +92,12 @@ void read_face(TextScanner& scanner, PolygonSoup& soup) {
   soup.close_face();
 }
 
-}  // namespace
-
-bool begins_like_off(std::string_view line) { return header_length(line) != 0; }
-
-PolygonSoup read_off(std::string_view text, const std::string& file) {
-  TextScanner scanner(text, file, {});
-  const Counts counts = read_counts(scanner);
+PolygonSoup read_lines(TextScanner scanner, const Counts& counts, std::size_t bytes) {
   // Promised counts are only a hint for memory: a vertex takes six bytes ("0 0 0\n") or more, a face eight.
   PolygonSoup soup;
-  soup.points.reserve(std::min<std::uint64_t>(counts.vertices, text.size() / 6));
-  soup.offsets.reserve(std::min<std::uint64_t>(counts.faces, text.size() / 8) + 1);
-  soup.corners.reserve(3 * std::min<std::uint64_t>(counts.faces, text.size() / 8));
+  soup.points.reserve(std::min<std::uint64_t>(counts.vertices, bytes / 6));
+  soup.offsets.reserve(std::min<std::uint64_t>(counts.faces, bytes / 8) + 1);
+  soup.corners.reserve(3 * std::min<std::uint64_t>(counts.faces, bytes / 8));
   while (soup.points.size() < counts.vertices) {
     if (!scanner.next_line())
       scanner.fail(fmt::format("the file ends after {} of {} vertices", soup.points.size(), counts.vertices));
@@ -104,6 +112,55 @@ PolygonSoup read_off(std::string_view text, const std::string& file) {
     soup.notes.push_back(
         fmt::format("skipped everything after the last face, from line {} on", scanner.line_number()));
   return soup;
+}
+
+// For Geomview lines mean nothing: the numbers in a row, if they are all there are, with or without one of edges.
+std::optional<PolygonSoup> read_numbers(TextScanner scanner, const Counts& counts, std::size_t bytes) {
+  if (!counts.plain || counts.vertices > bytes || counts.faces > bytes) return std::nullopt;
+  std::vector<double> numbers;
+  do {
+    for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
+      double value = 0.0;
+      if (read_real(word, value) != NumberToken::number || coordinate_fault(value)) return std::nullopt;
+      numbers.push_back(value);
+    }
+  } while (scanner.next_line());
+  for (const std::size_t first : {std::size_t{1}, std::size_t{0}}) {
+    std::size_t at = first + 3 * counts.vertices;
+    if (at > numbers.size()) continue;
+    PolygonSoup soup;
+    for (std::size_t k = first; k < at; k += 3)
+      soup.points.emplace_back(numbers[k], numbers[k + 1], numbers[k + 2]);
+    bool good = true;
+    const auto whole = [&](double from, double below) {
+      good = good && at < numbers.size() && numbers[at] >= from && numbers[at] < below &&
+             numbers[at] == std::floor(numbers[at]);
+      return good ? static_cast<std::size_t>(numbers[at++]) : 0;
+    };
+    while (good && soup.faces() < counts.faces) {
+      const std::size_t corners = whole(3.0, static_cast<double>(bytes));
+      for (std::size_t k = 0; k < corners && good; ++k)
+        soup.corners.push_back(static_cast<VertexIndex>(whole(0.0, static_cast<double>(counts.vertices))));
+      soup.close_face();
+    }
+    if (good && at == numbers.size()) return soup;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool begins_like_off(std::string_view line) { return header_length(line) != 0; }
+
+PolygonSoup read_off(std::string_view text, const std::string& file) {
+  TextScanner scanner(text, file, {});
+  const Counts counts = read_counts(scanner);
+  try {
+    return read_lines(scanner, counts, text.size());
+  } catch (const UserError&) {
+    if (std::optional<PolygonSoup> soup = read_numbers(scanner, counts, text.size())) return std::move(*soup);
+    throw;
+  }
 }
 
 }  // namespace nanocarbon::mesh

@@ -24,31 +24,59 @@ bool same_word(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
+bool is_keyword(std::string_view word) {
+  for (const char* keyword : {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"})
+    if (same_word(word, keyword)) return true;
+  return false;
+}
+
+bool is_comment(std::string_view word) {
+  return word.starts_with('#') || word.starts_with(';') || word.starts_with("//") ||
+         same_word(word, "color") || same_word(word, "colour");
+}
+
+// Goes by words: most programs have a line for each keyword, some a line for each triangle, or for all of them. What
+// a line has beyond that (normals that may be anything, colours) is passed over.
 class TextStlReader {
  public:
   TextStlReader(std::string_view text, const std::string& file) : scanner_(text, file, {'\0', false}) {}
 
   PolygonSoup read() {
-    bool open = false;
+    bool open = false, begun = false;
     while (scanner_.next_line()) {
-      const std::string_view word = scanner_.word();
-      if (same_word(word, "solid"))
-        open = true;
-      else if (same_word(word, "endsolid"))
-        open = false;
-      else if (same_word(word, "facet") && open)
-        read_facet();
-      else if (same_word(word, "color") || same_word(word, "colour"))
-        continue;
-      else
-        scanner_.fail(fmt::format("expected 'facet' or 'endsolid', found {}", quoted(word)));
+      for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) {
+        if (same_word(word, "facet")) {
+          read_facet();
+          open = begun = true;
+          continue;
+        }
+        if (same_word(word, "solid")) {
+          open = begun = true;
+        } else if (same_word(word, "endsolid") || same_word(word, "end")) {  // end solid
+          open = false;
+        } else if (begun && !is_comment(word)) {
+          scanner_.fail(fmt::format("expected 'facet' or 'endsolid', found {}", quoted(word)));
+        }
+        skip_text();
+      }
     }
     if (open) soup_.notes.push_back("the last line, 'endsolid', is missing");
     return std::move(soup_);
   }
 
  private:
-  void read_facet() {  // the normal, which ends the line, may be anything
+  // The rest of the line, or what of it comes before a triangle.
+  void skip_text() {
+    for (TextScanner before = scanner_; !scanner_.at_line_end(); before = scanner_) {
+      if (!same_word(scanner_.word(), "facet")) continue;
+      TextScanner after = scanner_;
+      if (!same_word(after.word(), "normal")) continue;
+      scanner_ = std::move(before);
+      return;
+    }
+  }
+
+  void read_facet() {
     expect("outer");
     for (int corner = 0; corner < 3; ++corner) {
       expect("vertex");
@@ -64,16 +92,36 @@ class TextStlReader {
   }
 
   void expect(std::string_view keyword) {
-    if (!scanner_.next_line()) scanner_.fail(fmt::format("the file ends within triangle {}", soup_.faces()));
-    const std::string_view word = scanner_.word();
-    if (!same_word(word, keyword))
-      scanner_.fail(
-          fmt::format("expected '{}' in triangle {}, found {}", keyword, soup_.faces(), quoted(word)));
+    bool begins_line = false;
+    for (;;) {
+      std::string_view word = scanner_.word();
+      if (word.empty()) {
+        if (!scanner_.next_line())
+          scanner_.fail(fmt::format("the file ends within triangle {}", soup_.faces()));
+        begins_line = true;
+        continue;
+      }
+      if (same_word(word, keyword)) return;
+      if (same_word(word, "end") && keyword.starts_with("end")) {  // end loop, end facet
+        const std::string_view second = scanner_.word();
+        if (same_word(second, keyword.substr(3))) return;
+        word = second;
+      }
+      if (begins_line || is_keyword(word))
+        scanner_.fail(
+            fmt::format("expected '{}' in triangle {}, found {}", keyword, soup_.faces(), quoted(word)));
+    }
   }
 
   TextScanner scanner_;
   PolygonSoup soup_;
 };
+
+bool has_size_in(ByteOrder order, std::string_view contents) {
+  return contents.size() >= header_bytes &&
+         (contents.size() - header_bytes) ==
+             triangle_bytes * std::size_t{load<std::uint32_t>(contents.data() + 80, order)};
+}
 
 bool is_closed(const PolygonSoup& soup) {
   PolygonSoup joined = soup;
@@ -91,7 +139,11 @@ PolygonSoup read_binary(std::string_view contents, const std::string& file) {
   };
   if (contents.size() < header_bytes)
     fail(contents.size(), "the file ends within the header of a binary STL");
-  const std::size_t promised = load<std::uint32_t>(contents.data() + 80, ByteOrder::little);
+  // A few programs wrote the other byte order; only where the count, read so, is right.
+  const ByteOrder order = has_size_in(ByteOrder::big, contents) && !has_size_in(ByteOrder::little, contents)
+                              ? ByteOrder::big
+                              : ByteOrder::little;
+  const std::size_t promised = load<std::uint32_t>(contents.data() + 80, order);
   const std::size_t present = (contents.size() - header_bytes) / triangle_bytes;
   const bool whole = (contents.size() - header_bytes) % triangle_bytes == 0;
   const auto cut_short = [&] {
@@ -112,7 +164,7 @@ PolygonSoup read_binary(std::string_view contents, const std::string& file) {
       Vec3 point;
       for (std::size_t d = 0; d < 3; ++d) {
         const std::size_t byte = header_bytes + triangle * triangle_bytes + 12 * (corner + 1) + 4 * d;
-        point[static_cast<int>(d)] = load<float>(contents.data() + byte, ByteOrder::little);
+        point[static_cast<int>(d)] = load<float>(contents.data() + byte, order);
         if (const char* fault = coordinate_fault(point[static_cast<int>(d)]))
           fail(byte, fmt::format("a coordinate of triangle {} {}", triangle, fault));
       }
@@ -130,30 +182,48 @@ PolygonSoup read_binary(std::string_view contents, const std::string& file) {
         fmt::format("the header promises {} triangles; the file's length says {}, and these were read",
                     promised, present));
   }
+  if (order == ByteOrder::big) soup.notes.push_back("the file is in big-endian byte order, which STL is not");
   const std::size_t rest = contents.size() - header_bytes - triangles * triangle_bytes;
   if (rest > 0) soup.notes.push_back(fmt::format("skipped {} bytes after the last triangle", rest));
   return soup;
 }
 
+bool is_plain_text(std::string_view head) {
+  return std::all_of(head.begin(), head.end(), [](char c) {
+    return (static_cast<unsigned char>(c) >= 32 && c != '\x7f') || c == '\n' || c == '\r' || c == '\t' ||
+           c == '\f';
+  });
+}
+
 }  // namespace
 
 bool has_binary_stl_size(std::string_view contents) {
-  return contents.size() >= header_bytes &&
-         (contents.size() - header_bytes) ==
-             triangle_bytes * std::size_t{load<std::uint32_t>(contents.data() + 80, ByteOrder::little)};
+  return has_size_in(ByteOrder::little, contents) || has_size_in(ByteOrder::big, contents);
 }
 
 bool is_text_stl(std::string_view contents) {
   // A binary STL has a zero byte in its triangle count (below 2^24 triangles), and all but always in its
   // numbers.
+  const std::string_view head = contents.substr(0, 2000);
+  if (head.find('\0') != head.npos) return false;
   const std::size_t begin = std::min(contents.find_first_not_of(" \t\r\n"), contents.size());
-  return same_word(contents.substr(begin, 5), "solid") &&
-         contents.substr(0, 2000).find('\0') == contents.npos;
+  if (same_word(contents.substr(begin, 5), "solid")) return true;
+  // What some programs put before the first solid, or instead of it.
+  std::string lower(head);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::size_t facet = lower.find("facet"), outer = lower.find("outer", facet);
+  return facet != lower.npos && outer != lower.npos && lower.find("vertex", outer) != lower.npos;
 }
 
 PolygonSoup read_stl(std::string_view contents, const std::string& file) {
-  PolygonSoup soup =
-      is_text_stl(contents) ? TextStlReader(contents, file).read() : read_binary(contents, file);
+  const bool text = is_text_stl(contents);
+  const bool blank = contents.find_first_not_of(" \t\r\n") == contents.npos;
+  if (!text && !blank && is_plain_text(contents.substr(0, 2000)) && !has_binary_stl_size(contents))
+    fail_at_line(file, 1,
+                 fmt::format("the file is text, but no STL, which begins with 'solid': it begins with {}",
+                             quoted(contents.substr(0, contents.find_first_of("\r\n")))),
+                 "give a mesh file");
+  PolygonSoup soup = text ? TextStlReader(contents, file).read() : read_binary(contents, file);
   const CoincidentPoints coincident = coincident_points(soup.points);
   const std::size_t corners = soup.points.size();
   join(soup, coincident);
