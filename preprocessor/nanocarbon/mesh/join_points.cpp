@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 
 namespace nanocarbon::mesh {
@@ -63,6 +64,30 @@ CoincidentPoints points_within(std::span<const Vec3> points, double tolerance) {
     else
       ++result.duplicates;
   }
+  return result;
+}
+
+CoincidentPoints ends_of_short_edges(const PolygonSoup& soup, double tolerance) {
+  CoincidentPoints result;
+  std::vector<VertexIndex>& first = result.representative;
+  first.resize(soup.points.size());
+  std::iota(first.begin(), first.end(), VertexIndex{0});
+  const auto root = [&](VertexIndex v) {
+    while (first[v] != v) v = first[v] = first[first[v]];
+    return v;
+  };
+  for (std::size_t face = 0; face < soup.faces(); ++face) {
+    const auto corners = soup.face(face);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const VertexIndex a = corners[k], b = corners[(k + 1) % corners.size()];
+      if (a == b || (soup.points[a] - soup.points[b]).squaredNorm() >= tolerance * tolerance) continue;
+      const VertexIndex of_a = root(a), of_b = root(b);
+      if (of_a == of_b) continue;
+      first[std::max(of_a, of_b)] = std::min(of_a, of_b);
+      ++result.duplicates;
+    }
+  }
+  for (VertexIndex v = 0; v < first.size(); ++v) first[v] = root(v);
   return result;
 }
 

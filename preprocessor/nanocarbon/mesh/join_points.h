@@ -23,6 +23,10 @@ CoincidentPoints coincident_points(std::span<const Vec3> points);
 //! \param tolerance mesh units, above zero
 CoincidentPoints points_within(std::span<const Vec3> points, double tolerance);
 
+//! \brief Points that faces' edges shorter than a tolerance connect; also through several such edges.
+//! \details Those are left where an isosurface or a section passes through points that were there before.
+CoincidentPoints ends_of_short_edges(const PolygonSoup& soup, double tolerance);
+
 //! Renames every corner to its representative and drops the points that are not their own.
 void join(PolygonSoup& soup, const CoincidentPoints& coincident);
 

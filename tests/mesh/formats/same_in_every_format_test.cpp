@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -62,6 +63,33 @@ TriangleMesh with_zero_edge(TriangleMesh mesh) {
   return mesh;
 }
 
+//! As isosurfaces are where they pass through points of their grid: each vertex several times, within rounding.
+TriangleMesh with_slivers_at_vertices(const TriangleMesh& mesh, double size) {
+  TriangleMesh result = mesh;
+  for (VertexIndex v = 0; v < mesh.points.size(); v += 5) {
+    // The triangles of the vertex get one of their own each, and a fan of slivers between them.
+    std::vector<std::size_t> around;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (std::count(mesh.triangles[t].begin(), mesh.triangles[t].end(), v) > 0) around.push_back(t);
+    std::map<VertexIndex, VertexIndex> before,
+        after;  // by the neighbour along the edge that two of them share
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const auto copy = static_cast<VertexIndex>(result.points.size());
+      result.points.push_back(mesh.points[v] + size * Vec3(k % 2 == 0 ? 1 : -1, k % 3 == 0 ? 1 : 0, 0.5));
+      Triangle& t = result.triangles[around[k]];
+      const auto at = std::find(t.begin(), t.end(), v) - t.begin();
+      before[t[(at + 1) % 3]] = copy;
+      after[t[(at + 2) % 3]] = copy;
+      t[at] = copy;
+    }
+    for (const auto& [neighbour, copy] : before) {
+      result.triangles.push_back({copy, v, after.at(neighbour)});
+      result.triangles.push_back({neighbour, copy, after.at(neighbour)});
+    }
+  }
+  return result;
+}
+
 TriangleMesh in_floats(TriangleMesh mesh) {
   for (Vec3& p : mesh.points) p = p.cast<float>().cast<double>();
   return mesh;
@@ -92,6 +120,8 @@ std::vector<Shape> shapes() {
        true, 4},
       {"cubes that share an edge", test::together(cube, triangulate(test::cube(Vec3(1, 1, 0))).mesh), true,
        4},
+      {"torus with slivers below doubles' rounding", with_slivers_at_vertices(torus, 1e-15), true, 0},
+      {"torus with slivers below floats' rounding", with_slivers_at_vertices(torus, 1e-8), true, 0},
       {"inside-out", test::turned(torus), true, 0},
       {"fin", fin, false, 0},
       {"Moebius strip", in_floats(moebius), false, 0},
@@ -114,7 +144,7 @@ std::vector<std::array<Place, 3>> places_of(const TriangleMesh& mesh) {
     std::array<Place, 3>& triangle = places.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& p = mesh.points[t[k]];
-      triangle[k] = {p.x(), p.y(), p.z()};
+      for (int d = 0; d < 3; ++d) triangle[k][d] = std::round(p[d] * 1e6) / 1e6 + 0.0;  // as floats have them
     }
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   }

@@ -8,6 +8,7 @@
 #include "nanocarbon/mesh/diagnose.h"
 #include "nanocarbon/mesh/drop_faces.h"
 #include "nanocarbon/mesh/join_points.h"
+#include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/repair/close_holes.h"
 #include "nanocarbon/mesh/repair/drop_folds.h"
 #include "nanocarbon/mesh/repair/flip_slivers.h"
@@ -30,6 +31,10 @@ void join_and_drop(PolygonSoup& soup, Repairs& repairs) {
   const CoincidentPoints coincident = coincident_points(soup.points);
   if (coincident.duplicates > 0) join(soup, coincident);
   tell(repairs, "joined vertices to others at the same place", coincident.duplicates);
+  // As far apart as single precision can tell, if at all.
+  const CoincidentPoints ends = ends_of_short_edges(soup, 1e-7 * bounding_box(soup.points).diagonal());
+  if (ends.duplicates > 0) join(soup, ends);
+  tell(repairs, "joined the ends of edges without length", ends.duplicates);
   tell(repairs, "repaired or dropped faces that repeat a vertex", drop_repeated_vertices(soup));
   tell(repairs, "dropped duplicate faces", drop_copied_faces(soup));
   const DroppedFolds folds = drop_folds(soup);
