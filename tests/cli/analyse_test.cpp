@@ -52,6 +52,38 @@ TEST_F(Analyse, RingsOfSurfacesThatAreSearchedAreCountedPerAtom) {
   }
 }
 
+// Rows of 3 to 9 squares, as amorphous carbon has clusters of every size.
+TEST_F(Analyse, TheTableHasOneLineForManyKindsOfClusters) {
+  const std::string xyz = path("ladders.xyz");
+  std::ostringstream atoms;
+  int count = 0;
+  for (int squares = 3; squares <= 9; ++squares)
+    for (int k = 0; k <= squares; ++k, count += 2)
+      atoms << "C " << 1.45 * k << " " << 10 * squares << " 0\nC " << 1.45 * k << " " << 10 * squares + 1.45
+            << " 0\n";
+  std::ofstream(xyz) << count << "\n\n" << atoms.str();
+  const std::string table = run("analyse " + xyz).out;
+  EXPECT_THAT(table, HasSubstr("clusters of rings       7, of 3 to 9 rings each"));
+  EXPECT_THAT(table, testing::Not(HasSubstr("cluster of")));
+  EXPECT_EQ(json::parse(run("analyse " + xyz + " --json").out)["defects"]["by_kind"]["cluster of 9 rings"],
+            1);
+}
+
+TEST_F(Analyse, SaysWhatCellItFindsAndWhatIsDoubtfulOfIt) {
+  const std::string atoms = "C 0 0 0\nC 1.4 0 0\nC 2.8 0 0.1\n";
+  const std::string lattice = "Lattice=\"8 0 0 0 9 0 0 0 10\" Properties=species:S:1:pos:R:3";
+  const std::string free = path("free.xyz"), sheet = path("sheet.xyz"), heap = path("heap.xyz");
+  std::ofstream(free) << "3\n\n" << atoms;
+  std::ofstream(sheet) << "3\n" << lattice << " pbc=\"T T F\"\n" << atoms;
+  std::ofstream(heap) << "4\n" << lattice << "\n" << atoms << "C 2.8 0 10\n";
+  EXPECT_THAT(run("analyse " + free).out, HasSubstr("none: free space"));
+  EXPECT_THAT(run("analyse " + sheet).out, HasSubstr("8 x 9 x 10 A, periodic along a, b\n"));
+  const Outcome doubtful = run("analyse " + heap);
+  EXPECT_THAT(doubtful.out, HasSubstr("periodic along a, b, c\n"));
+  EXPECT_THAT(doubtful.err,
+              HasSubstr("atoms 3 and 4 are 0.1 Angstrom from each other across the periodic boundary"));
+}
+
 TEST_F(Analyse, OfSeveralFramesComparesEachWithTheFirst) {
   const std::string xyz = path("run.xyz"), csv = path("run.csv"), columns = path("columns.xyz");
   std::ofstream(xyz) << "3\n\nC 0 0 0\nC 1.4 0 0\nC 2.8 0 0\n"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -104,6 +105,39 @@ std::map<std::string, std::size_t> kinds_of(std::span<const Defect> defects) {
   std::map<std::string, std::size_t> kinds;
   for (const Defect& defect : defects) ++kinds[defect.kind];
   return kinds;
+}
+
+// The lines of a table. Amorphous carbon has clusters of nearly any number of rings: beyond some, they share a line.
+std::map<std::string, std::string> lines_of(std::span<const Defect> defects) {
+  constexpr std::size_t most_clusters = 6;
+  std::map<std::string, std::size_t> kinds, clusters;
+  std::size_t all = 0, fewest = std::numeric_limits<std::size_t>::max(), most = 0;
+  for (const Defect& defect : defects) {
+    const bool cluster = defect.kind.starts_with("cluster of ");
+    ++(cluster ? clusters : kinds)[defect.kind];
+    if (!cluster) continue;
+    ++all;
+    fewest = std::min(fewest, defect.ring_sizes.size());
+    most = std::max(most, defect.ring_sizes.size());
+  }
+  std::map<std::string, std::string> lines;
+  if (clusters.size() > most_clusters)
+    lines["clusters of rings"] = fmt::format("{}, of {} to {} rings each", all, fewest, most);
+  else
+    kinds.merge(clusters);
+  for (const auto& [kind, count] : kinds) lines[kind] = std::to_string(count);
+  return lines;
+}
+
+std::string cell_text(const Molecule& molecule) {
+  if (!molecule.cell) return "none: free space";
+  const Cell& cell = *molecule.cell;
+  std::string ways;
+  for (std::size_t d = 0; d < 3; ++d)
+    if (cell.periodic[d]) ways += "abc"[d];
+  const Vec3 edges = cell.vectors.colwise().norm();
+  return fmt::format("{:.5g} x {:.5g} x {:.5g} A, periodic along {}", edges[0], edges[1], edges[2],
+                     fmt::join(ways, ", "));
 }
 
 void write_defects(JsonWriter& json, std::span<const Defect> defects, std::span<const std::int64_t> ids) {
@@ -262,6 +296,7 @@ std::string analysis_table(const Molecule& molecule, std::span<const std::int64_
     table += fmt::format("  {:<26}{}\n", title, value);
   };
   line("atoms", fmt::format("{}: {} carbon, {} hydrogen", molecule.size(), b.carbons, b.hydrogens));
+  line("cell", cell_text(molecule));
   const auto lengths = [&](const char* title, const Distribution& d) {
     if (d.spread.count > 0)
       line(title, fmt::format("{}; {:.3f} to {:.3f}, mean {:.4f}, deviation {:.4f}", d.spread.count,
@@ -295,7 +330,7 @@ std::string analysis_table(const Molecule& molecule, std::span<const std::int64_
   }
   if (order.size() > most_lines) line("  ...", fmt::format("and {} smaller ones", order.size() - most_lines));
   line("defects", std::to_string(analysis.defects.size()));
-  for (const auto& [kind, count] : kinds_of(analysis.defects)) line("  " + kind, std::to_string(count));
+  for (const auto& [kind, value] : lines_of(analysis.defects)) line("  " + kind, value);
   const auto values = [&](const char* title, const Distribution& d) {
     if (d.spread.count > 0)
       line(title, fmt::format("{:.4g} to {:.4g}, mean {:.4g}, deviation {:.4g}", d.spread.min, d.spread.max,
