@@ -121,28 +121,52 @@ SwitchingState periodic_sheet(int cells) {
 }
 
 TEST(SwitchesInACell, AreTheSameWhereverTheyAreMade) {
-  const SwitchingState state = periodic_sheet(9);
-  std::vector<double> splits, flips;
-  for (RingIndex ring = 0; ring < state.network.rings.size(); ++ring) {
-    for (unsigned first = 0; first < 6; ++first) {
-      const auto edit = split_ring(state.network, ring, first, 3);
+  for (const int cells : {9, 5}) {  // the patch reaches round the smaller one
+    const SwitchingState state = periodic_sheet(cells);
+    std::vector<double> splits, flips;
+    for (RingIndex ring = 0; ring < state.network.rings.size(); ++ring) {
+      for (unsigned first = 0; first < 6; ++first) {
+        const auto edit = split_ring(state.network, ring, first, 3);
+        ASSERT_TRUE(edit);
+        SwitchingPatch patch;
+        patch.gather(state, *edit, 3);
+        patch.apply(*edit);
+        splits.push_back(patch.energy());
+      }
+      const auto edit = flip_bond(state.network, state.network.rings[ring].atom, 0);
       ASSERT_TRUE(edit);
       SwitchingPatch patch;
       patch.gather(state, *edit, 3);
       patch.apply(*edit);
-      splits.push_back(patch.energy());
+      flips.push_back(patch.energy());
     }
-    const auto edit = flip_bond(state.network, state.network.rings[ring].atom, 0);
-    ASSERT_TRUE(edit);
-    SwitchingPatch patch;
-    patch.gather(state, *edit, 3);
-    patch.apply(*edit);
-    flips.push_back(patch.energy());
+    const auto [least_split, most_split] = std::minmax_element(splits.begin(), splits.end());
+    EXPECT_NEAR(*least_split, *most_split, 1e-6);
+    const auto [least_flip, most_flip] = std::minmax_element(flips.begin(), flips.end());
+    EXPECT_NEAR(*least_flip, *most_flip, 1e-6);
   }
-  const auto [least_split, most_split] = std::minmax_element(splits.begin(), splits.end());
-  EXPECT_NEAR(*least_split, *most_split, 1e-6);
-  const auto [least_flip, most_flip] = std::minmax_element(flips.begin(), flips.end());
-  EXPECT_NEAR(*least_flip, *most_flip, 1e-6);
+}
+
+// Atoms that a switch does not move are told where they were, whichever image of them it worked with.
+TEST(SwitchesInACell, LeaveAtomsInTheImageThatTheyAreIn) {
+  for (const int cells : {9, 5}) {
+    const SwitchingState state = periodic_sheet(cells);
+    for (RingIndex ring = 0; ring < state.network.rings.size(); ++ring) {
+      const auto edit = flip_bond(state.network, state.network.rings[ring].atom, 0);
+      ASSERT_TRUE(edit);
+      SwitchingPatch patch;
+      patch.gather(state, *edit, 3);
+      for (std::size_t k = 0; k < patch.size(); ++k) {
+        EXPECT_LT((patch.position(k) - state.positions[patch.atom(k)]).norm(), 1e-9);
+        EXPECT_LT((patch.plane(k).point - state.planes[patch.atom(k)].point).norm(), 1e-9);
+      }
+      patch.apply(*edit);
+      patch.relax_springs(20);
+      patch.relax({.max_iterations = 20, .force_tolerance = 0.02});
+      for (std::size_t k = 0; k < patch.size(); ++k)
+        EXPECT_LT((patch.position(k) - state.positions[patch.atom(k)]).norm(), 2.0);
+    }
+  }
 }
 
 }  // namespace

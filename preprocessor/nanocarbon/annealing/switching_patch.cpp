@@ -35,48 +35,55 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
   tether_ = state.tether;
   mean_height_ = state.mean_height;
   reach_ = state.reach;
-  graph_.space = state.space;
+  space_ = state.space;
   graph_.hydrogen = network.hydrogen;
   added_ = static_cast<std::size_t>(edit.added);
-  const auto take = [&](AtomIndex a, unsigned distance) {
+  positions_.clear();
+  // Beside the atom that it is taken after.
+  const auto take = [&](AtomIndex a, unsigned distance, std::size_t after) {
     if (a == no_atom || local_of_[a] != no_atom) return;
     local_of_[a] = static_cast<AtomIndex>(global_.size());
     global_.push_back(a);
     distance_.push_back(distance);
+    positions_.push_back(after < positions_.size() ? space_.beside(state.positions[a], positions_[after])
+                                                   : state.positions[a]);
   };
   for (const NetworkEdit::AtomChange& change : edit.atoms)
-    if (!is_added_atom(change.atom)) take(change.atom, 0);
+    if (!is_added_atom(change.atom)) take(change.atom, 0, 0);
   std::size_t at = 0;
   for (unsigned distance = 1; distance <= radius + halo; ++distance) {
     const std::size_t end = global_.size();
     for (; at < end; ++at)
       if (global_[at] < network.atoms.size())
-        for (const AtomIndex n : network.atoms[global_[at]].neighbour) take(n, distance);
+        for (const AtomIndex n : network.atoms[global_[at]].neighbour) take(n, distance, at);
     if (distance != radius) continue;
     free_ = global_.size();
     for (std::size_t k = 0; k < added_; ++k) {
       global_.push_back(added_atoms[k]);
       distance_.push_back(0);
+      positions_.push_back(Vec3::Zero());
     }
     free_ += added_;
   }
   atoms_.resize(global_.size());
-  positions_.resize(global_.size());
+  shifts_.assign(global_.size(), Vec3::Zero());
   planes_.resize(global_.size());
   edges_.assign(global_.size(), {Vec3::Zero(), Vec3::Zero()});
   for (std::size_t k = 0; k < global_.size(); ++k) {
     const AtomIndex a = global_[k];
     if (is_added_atom(a)) {
       atoms_[k] = {{no_atom, no_atom, no_atom}, {no_atom, no_atom, no_atom}};
-      positions_[k] = Vec3::Zero();
       planes_[k] = {Vec3::Zero(), Vec3::Zero()};
       continue;
     }
     atoms_[k] = network.atoms[a];
     for (AtomIndex& n : atoms_[k].neighbour) n = local(n);
-    positions_[k] = state.positions[a];
     planes_[k] = state.planes[a];
     if (!state.edges.empty()) edges_[k] = state.edges[a];
+    if (!space_.periodic()) continue;
+    shifts_[k] = positions_[k] - state.positions[a];
+    planes_[k].point += shifts_[k];
+    edges_[k].point += shifts_[k];
   }
   list_bonds();
   list_contacts(state);
@@ -89,7 +96,17 @@ void SwitchingPatch::list_bonds() {
   // Atoms come in order of distance, and the last shell only lends its positions.
   graph_.inner = static_cast<std::size_t>(std::find(distance_.begin(), distance_.end(), radius_ + halo) -
                                           distance_.begin());
+  graph_.space = has_bonds_to_images() ? space_ : Space();
   rebo2_.set_graph(graph_);
+}
+
+// As where the patch reaches round the cell.
+bool SwitchingPatch::has_bonds_to_images() const {
+  if (!space_.periodic()) return false;
+  for (std::size_t k = 0; k < graph_.inner_count(); ++k)
+    for (const AtomIndex n : graph_.neighbours[k])
+      if (n != no_atom && !space_.is_nearest(positions_[k], positions_[n])) return true;
+  return false;
 }
 
 void SwitchingPatch::list_contacts(const SwitchingState& state) {
@@ -101,7 +118,11 @@ void SwitchingPatch::list_contacts(const SwitchingState& state) {
       const AtomIndex other_local = local_of_[other];
       const bool both_free = other_local < free_;
       if (both_free && other_local < k) continue;
-      contacts_.push_back({k, state.positions[other], both_free ? other_local : no_atom});
+      // Atoms that are near each other stay so: the image is the same for all of a relaxation.
+      const Vec3 there =
+          space_.beside(both_free ? positions_[other_local] : state.positions[other], positions_[k]);
+      contacts_.push_back(
+          {k, both_free ? Vec3(there - positions_[other_local]) : there, both_free ? other_local : no_atom});
     }
   }
 }
@@ -223,8 +244,7 @@ double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span
     if (both_free && !atoms_[contact.other_local].exists()) continue;
     Vec3 at_own = Vec3::Zero();
     energy += steric_pair(positions_[contact.local],
-                          graph_.space.beside(both_free ? positions_[contact.other_local] : contact.other,
-                                              positions_[contact.local]),
+                          both_free ? Vec3(positions_[contact.other_local] + contact.other) : contact.other,
                           at_own);
     gradient_[contact.local] += at_own;
     if (both_free) gradient_[contact.other_local] -= at_own;

@@ -51,25 +51,29 @@ class SwitchingPatch {
     return global_[local];
   }  //!< added_atoms for those that the edit adds
   std::size_t size() const { return global_.size(); }
-  const Vec3& position(std::size_t local) const { return positions_[local]; }
-  const TangentPlane& plane(std::size_t local) const { return planes_[local]; }
-  const TangentPlane& edge(std::size_t local) const { return edges_[local]; }
+  // Of the image that the state has.
+  Vec3 position(std::size_t local) const { return positions_[local] - shifts_[local]; }
+  TangentPlane plane(std::size_t local) const { return back(planes_[local], local); }
+  TangentPlane edge(std::size_t local) const { return back(edges_[local], local); }
 
  private:
   struct Contact {
     std::uint32_t local;
-    Vec3 other;                 // where the other atom is held, or
-    std::uint32_t other_local;  // its own entry if that is below free_
+    Vec3 other;                 // where the other atom is held, or what leads to its image from
+    std::uint32_t other_local;  // its own entry, if that is below free_
   };
   std::vector<AtomIndex> global_;
   std::vector<std::uint32_t> distance_;  // bonds from the switch
   std::vector<AtomIndex> local_of_;      // by global atom, no_atom outside; restored after each gather
   std::vector<TrivalentAtom> atoms_;
-  std::vector<Vec3> positions_;
+  // In a cell the image beside the atoms nearer to the switch, so that bonds hardly ever lead to another image. Each
+  // lies this far from where the state has it.
+  std::vector<Vec3> positions_, shifts_;
   std::vector<Vec3> gradient_;
   std::vector<TangentPlane> planes_, edges_;
   std::vector<Contact> contacts_;
-  FixedBondGraph graph_;
+  Space space_;           // of the state
+  FixedBondGraph graph_;  // in free space where no bond leads to another image
   FixedBondRebo2 rebo2_;
   std::size_t free_ = 0;  // the last of these are the atoms that the edit adds
   std::size_t added_ = 0;
@@ -83,6 +87,10 @@ class SwitchingPatch {
   void place_added(AtomIndex u, AtomIndex w);
   void place_outside(std::uint32_t polygon);
   AtomIndex local(AtomIndex global) const;
+  bool has_bonds_to_images() const;
+  TangentPlane back(const TangentPlane& plane, std::size_t local) const {
+    return {plane.point - shifts_[local], plane.normal};
+  }
 };
 
 }  // namespace nanocarbon::annealing

@@ -43,11 +43,18 @@ class Space {
     return cell_ ? Vec3(anchor + displacement(anchor, point)) : point;
   }
 
+  //! Whether one position is nearer to another than to any image of that. May say no where it is far from both.
+  bool is_nearest(const Vec3& one, const Vec3& other) const {
+    return (other - one).squaredNorm() < safe_squared_;
+  }
+
   //! The image of a point that lies in the cell: its fractional coordinates along periodic edges are from 0 to
   //! below 1. The point itself in free space.
   Vec3 wrapped(const Vec3& point) const;
   //! Cell multiples to add to the second position for the image of it that is nearest to the first.
   std::array<std::int32_t, 3> image(const Vec3& from, const Vec3& to) const;
+  //! Of a translation by whole edges of the cell, how many of each.
+  std::array<std::int32_t, 3> multiples(const Vec3& translation) const;
   //! Calls visit(shift) for no translation and then for those by an edge of the cell or several different
   //! ones, either way: where the images of the cell around it are. Once in free space.
   template <class Visit>
