@@ -22,13 +22,13 @@ namespace {
 // Atoms that are annealed from hot: with fewer a surface hardly shows, with more it takes too long to find the best
 // places.
 constexpr double fewest_annealed = 130, wanted_annealed = 200;
-// Up to so many, full size is annealed from hot as well.
-constexpr std::size_t few = 600;
-// Starts at full size for cells that are not refined to.
-constexpr int direct_starts = 2;
-// Starts with few atoms, of which the best is refined; they are held to the surface more by the first of these for
-// each quartering, and those that lie farther from it than the second, Angstrom at full size, are dropped.
-constexpr int coarse_starts = 3;
+// Up to so many, full size is annealed from hot, and up to fewer from two starts.
+constexpr std::size_t few = 600, very_few = 300;
+// Starts with few atoms, of which the best is refined: one more where it costs little beside what refining does. They
+// are held to the surface more by the first of these for each quartering, and those that lie farther from it than the
+// second, Angstrom at full size, are dropped.
+constexpr int coarse_starts = 2;
+constexpr std::size_t many = 1600;
 constexpr double coarse_tether = 3, coarse_distance = 3;
 
 // A cell narrower than this has vertices that meet through two images. Angstrom.
@@ -94,17 +94,19 @@ class Annealing {
 
  private:
   AnnealedStart best_of(annealing::AnnealingLevel direct) {
-    const Path path = path_to(atoms_, surface_.space.least_width());
+    if (atoms_ > few) {
+      const Path path = path_to(atoms_, surface_.space.least_width());
+      if (std::optional<AnnealedStart> best = path.steps.empty() ? std::nullopt : refined(path))
+        return *std::move(best);
+    }
     std::optional<AnnealedStart> best;
-    if (!path.steps.empty()) best = refined(path);
-    if (best && atoms_ > few) return *std::move(best);
-    const int starts = path.steps.empty() ? direct_starts : 1;
+    const int starts = atoms_ > very_few ? 1 : 2;
     for (int k = 0; k < starts; ++k) {
       std::optional<annealing::AnnealingLevel> level =
           k == 0 ? std::move(direct)
                  : started(surface_, atoms_, options_.tether, options_.seed + static_cast<std::uint64_t>(k));
       if (!level) continue;
-      AnnealedStart candidate = annealed(*std::move(level), k, !best && k == 0);
+      AnnealedStart candidate = annealed(*std::move(level), k);
       if (!best || (annealing::holds(candidate.level) && is_better(candidate.released, best->released)))
         best = std::move(candidate);
     }
@@ -142,8 +144,8 @@ class Annealing {
     }
   }
 
-  AnnealedStart annealed(annealing::AnnealingLevel level, int start, bool alone) const {
-    annealing::BondSwitchingOptions schedule = full_size_schedule(atoms_, alone || start > 0, options_);
+  AnnealedStart annealed(annealing::AnnealingLevel level, int start) const {
+    annealing::BondSwitchingOptions schedule = full_size_schedule(atoms_, true, options_);
     schedule.seed += 1000 * static_cast<std::uint64_t>(start);
     annealing::anneal_level(level, annealing::TetherSurface(surface_, 1), told(schedule, "annealing"));
     AnnealedStart candidate{.level = std::move(level)};
@@ -179,7 +181,7 @@ class Annealing {
     const double tether =
         options_.tether * std::pow(coarse_tether, 0.5 * std::log2(static_cast<double>(factor)));
     std::optional<Coarse> best;
-    for (int k = 0; k < coarse_starts; ++k) {
+    for (int k = 0; k < coarse_starts + (atoms_ < many ? 0 : 1); ++k) {
       const auto attempt = static_cast<std::uint64_t>(k);
       std::optional<annealing::AnnealingLevel> level =
           started(surface, atoms, tether, options_.seed + attempt);
