@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // `nanocarbon inspect` as a user runs it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "nanocarbon/mesh/formats/write_mesh.h"
+#include "nanocarbon/mesh/triangulate.h"
 #include "nanocarbon/shapes/shapes.h"
 #include "support/program_test.h"
 #include "support/small_meshes.h"
@@ -97,13 +99,69 @@ TEST_F(Inspect, FindsAndLocatesWhatIntersectsThroughTheFacesOfTheCell) {
   EXPECT_NEAR(point[2], 0.5, 0.15);
   EXPECT_THAT(run("build " + near + in_cell + " --atoms 500 -o " + path("a.data")).err,
               HasSubstr("of different pieces intersect"));
+}
 
-  // One that meets its own images.
-  const auto large =
-      nlohmann::json::parse(run("inspect --json " + balls("large.off", 0.75, 0.51) + in_cell).out);
-  bool own = false;
-  for (const auto& warning : large["warnings"]) own = own || warning["problem"] == "self_intersection";
-  EXPECT_TRUE(own);
+nlohmann::json problems_of(const nlohmann::json& findings) {
+  nlohmann::json names = nlohmann::json::array();
+  for (const auto& finding : findings) names.push_back(finding["problem"]);
+  return names;
+}
+
+// A piece that is too large for its cell passes through its images. Its own parts may cross as in free space.
+TEST_F(Inspect, RefusesWhatCrossesAnImageOfItself) {
+  const auto answer = [&](const TriangleMesh& mesh, const std::string& options) {
+    mesh::write_mesh(path("piece.off"), mesh);
+    const Outcome outcome = run("inspect --json " + path("piece.off") + options);
+    const auto json = nlohmann::json::parse(outcome.out);
+    const bool refused = !json["reasons"].empty();
+    EXPECT_EQ(outcome.exit_code, refused ? 5 : 0);
+    return std::pair{problems_of(json["reasons"]), problems_of(json["warnings"])};
+  };
+  const nlohmann::json none = nlohmann::json::array(), images = {"images_intersect"},
+                       own = {"self_intersection"};
+  const TriangleMesh ball = shapes::make_sphere(0.51, 4);
+  EXPECT_EQ(answer(ball, " --cell 1,1,1"), std::pair(images, none));
+  EXPECT_EQ(answer(ball, " --cell 1.03,1.03,1.03"), std::pair(none, none));
+  EXPECT_EQ(answer(ball, " --cell 1,1.5,1.5"), std::pair(images, none)) << "in one direction alone";
+  EXPECT_EQ(answer(ball, " --cell 1,1.5,1.5 --periodic yz"), std::pair(none, none));
+  EXPECT_EQ(answer(ball, " --cell 1,1.5,1.5 --cells 3,1,1"), std::pair(images, none));
+
+  // A tube along z, in the image of itself in y.
+  const auto tube = [&](const std::string& options) {
+    EXPECT_EQ(run("make mesh implicit 'sqrt(x^2+y^2)-0.4' --periodic z --period 2,2,1 --edge 0.08 -q -o " +
+                  path("tube.off"))
+                  .exit_code,
+              0);
+    const Outcome outcome = run("inspect --json " + path("tube.off") + options);
+    return problems_of(nlohmann::json::parse(outcome.out)["reasons"]);
+  };
+  EXPECT_EQ(tube(" --periodic xyz --cell 2,0.7,1"), images);
+  EXPECT_EQ(tube(" --periodic xyz --cell 2,0.9,1"), none);
+
+  // A spindle torus crosses itself, in a cell as well as in free space.
+  const TriangleMesh spindle = mesh::triangulate(test::torus(24, 16, 0.2, 0.3)).mesh;
+  EXPECT_EQ(answer(spindle, ""), std::pair(none, own));
+  EXPECT_EQ(answer(spindle, " --cell 2,2,2"), std::pair(none, own));
+  EXPECT_EQ(answer(spindle, " --cell 0.9,2,2"), std::pair(images, own));
+}
+
+// Long edges are halved in a cell, and then vertices of both pieces lie on the curve where they cross.
+TEST_F(Inspect, FindsPiecesThatCrossInEdgesThatTheyHaveInCommon) {
+  mesh::PolygonSoup cubes = test::cube(Vec3(0.1, 0.1, 0.1));
+  const TriangleMesh one = mesh::triangulate(cubes).mesh;
+  const auto reasons = [&](double offset, double edge) {
+    const TriangleMesh other = mesh::triangulate(test::cube(Vec3::Constant(offset))).mesh;
+    mesh::write_mesh(path("cubes.off"), test::together(one, other));
+    const Outcome outcome = run(
+        fmt::format("inspect --json {} --periodic xyz --cell {},{},{}", path("cubes.off"), edge, edge, edge));
+    return problems_of(nlohmann::json::parse(outcome.out)["reasons"]);
+  };
+  for (const double edge : {2.3, 2.5, 3.0, 3.5, 4.0, 6.0})
+    for (const double offset : {0.35, 0.6, 0.85})
+      EXPECT_EQ(reasons(offset, edge), nlohmann::json({"pieces_intersect"})) << offset << " in " << edge;
+  // Apart, in a corner of each other's cell.
+  EXPECT_EQ(reasons(1.35, 2.6), nlohmann::json::array());
+  EXPECT_EQ(reasons(1.35, 2.2), nlohmann::json({"pieces_intersect"})) << "with an image";
 }
 
 }  // namespace

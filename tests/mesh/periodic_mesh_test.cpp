@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -84,6 +85,29 @@ TEST(PeriodicMesh, ATubeGoesOnInOneDirection) {
   EXPECT_EQ(t.euler_characteristic, 0);
   EXPECT_EQ(wrapping_ranks(tube, t), std::vector<int>{1});
   EXPECT_NEAR(area(tube), 12 * 2 * 2 * std::sin(M_PI / 12) * 10, 1e-9);
+}
+
+// Whatever generates them, those of a lattice are its whole multiples and no others.
+TEST(PeriodicMesh, TranslationsAreThoseOfTheLattice) {
+  Translations none, skewed, plane;
+  EXPECT_EQ(none.rank(), 0);
+  EXPECT_TRUE(none.contains({0, 0, 0}));
+  EXPECT_FALSE(none.contains({0, 0, 1}));
+  // Face-centred: the sum is even.
+  for (const std::array<std::int32_t, 3> t : {std::array{1, 1, 0}, {0, 1, 1}, {7, -1, 2}, {3, 2, 5}})
+    skewed.add(t);
+  EXPECT_EQ(skewed.rank(), 3);
+  for (std::int32_t i = -3; i <= 3; ++i)
+    for (std::int32_t j = -3; j <= 3; ++j)
+      for (std::int32_t k = -3; k <= 3; ++k)
+        EXPECT_EQ(skewed.contains({i, j, k}), (i + j + k) % 2 == 0) << i << j << k;
+  for (const std::array<std::int32_t, 3> t :
+       {std::array{6, 0, 4}, {0, 0, 0}, {3, 0, 2}, {0, -2, 0}, {3, 4, 2}})
+    plane.add(t);
+  EXPECT_EQ(plane.rank(), 2);
+  EXPECT_TRUE(plane.contains({-9, 8, -6}));
+  EXPECT_FALSE(plane.contains({3, 1, 2}));
+  EXPECT_FALSE(plane.contains({3, 2, 1}));
 }
 
 TEST(PeriodicMesh, ManyCellsAreAsManyTimesTheSame) {

@@ -196,6 +196,51 @@ TEST(SelfIntersections, InACellASurfaceMeetsTheImagesThatItMeetsInFreeSpace) {
   EXPECT_GE(clear, 4u);
 }
 
+// Four triangles at one edge, two of each surface: at these angles around it.
+SelfIntersections at_an_edge(const std::array<double, 2>& one, const std::array<double, 2>& other,
+                             const Cell* cell) {
+  TriangleMesh mesh;
+  if (cell) mesh.space = Space(*cell);
+  for (const auto& angles : {one, other}) {
+    const auto first = static_cast<VertexIndex>(mesh.points.size());
+    // In a cell each has images of its own.
+    const Vec3 shift = cell && first > 0 ? image_shift(*cell, {1, -2, 3}) : Vec3(0, 0, 0);
+    mesh.points.insert(mesh.points.end(), {Vec3(0, 0, 0) + shift, Vec3(0, 0, 0.2) + shift});
+    for (const double angle : angles)
+      mesh.points.push_back(Vec3(0.2 * std::cos(angle), 0.2 * std::sin(angle), 0.1) + shift);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first + 1, first, first + 3});
+  }
+  SelfIntersections found = self_intersections(mesh);
+  std::vector<VertexIndex> places = {0, 1, 2, 3, 0, 1, 6, 7};
+  if (cell) {
+    EXPECT_EQ(first_at_place(mesh), places);
+    EXPECT_THAT(found.pairs, IsEmpty()) << "they have nothing but the edge in common";
+  }
+  found = {};
+  add_crossings_in_edges(mesh, places, found);
+  return found;
+}
+
+TEST(SelfIntersections, SurfacesCrossInAnEdgeWhereTheirFacesTakeTurns) {
+  const Cell cell = cells()[2];
+  for (const Cell* space : {static_cast<const Cell*>(nullptr), &cell})
+    for (const double turn : {0.0, 0.7, 2.1, 4.4}) {
+      const auto crossing = at_an_edge({turn, turn + 3}, {turn + 1, turn + 5}, space);
+      ASSERT_THAT(crossing.pairs, SizeIs(1));
+      EXPECT_LT(crossing.pairs[0][0], 2u);
+      EXPECT_GE(crossing.pairs[0][1], 2u);
+      if (space) {
+        ASSERT_EQ(crossing.moved.size(), 1u);
+        EXPECT_LT((crossing.moved[0] - image_shift(cell, {1, -2, 3})).norm(), 1e-9);
+      }
+      EXPECT_THAT(at_an_edge({turn + 5, turn + 1}, {turn, turn + 3}, space).pairs, SizeIs(1));
+      EXPECT_THAT(at_an_edge({turn, turn + 1}, {turn + 2, turn + 3}, space).pairs, IsEmpty()) << "they touch";
+      EXPECT_THAT(at_an_edge({turn, turn + 3}, {turn + 1, turn + 2}, space).pairs, IsEmpty())
+          << "one within the other";
+    }
+}
+
 TEST(SelfIntersections, AHeapOfTrianglesAtOnePlaceIsGivenUpAndSaidSo) {
   TriangleMesh mesh;
   for (VertexIndex t = 0; t < 3000; ++t) {

@@ -41,6 +41,11 @@ Words words_for(MeshProblem problem) {
     case MeshProblem::components_intersect:
       return {"pair of faces of different pieces intersects", "pairs of faces of different pieces intersect",
               "unite the pieces (boolean union) or move them apart"};
+    case MeshProblem::images_intersect:
+      return {"pair of faces of a piece and a periodic image of the piece intersects",
+              "pairs of faces of a piece and a periodic image of the piece intersect",
+              "the piece is too large for its cell, or the cell is not the right one: give a larger one "
+              "(--cell)"};
     case MeshProblem::inconsistent_winding:
       return {"edge has its two faces wound against each other",
               "edges have their two faces wound against each other",

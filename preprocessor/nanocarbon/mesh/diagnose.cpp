@@ -9,6 +9,7 @@
 #include "nanocarbon/mesh/drop_faces.h"
 #include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/join_points.h"
+#include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/mesh/same_faces.h"
 #include "nanocarbon/mesh/self_intersections.h"
 #include "nanocarbon/mesh/triangulate.h"
@@ -77,8 +78,8 @@ void find_in_topology(const PolygonSoup& soup, const EdgeTable& edges, const Mes
       findings.add(MeshProblem::inconsistent_winding, {edges.low[e], edges.high[e]}, faces_at(edges, e));
 }
 
-constexpr MeshProblem kinds_of_intersection[] = {MeshProblem::components_intersect,
-                                                 MeshProblem::self_intersection};
+constexpr MeshProblem kinds_of_intersection[] = {
+    MeshProblem::components_intersect, MeshProblem::images_intersect, MeshProblem::self_intersection};
 
 // Which kind the intersection of two faces is.
 MeshProblem problem_of(std::uint32_t first, std::uint32_t second, const MeshTopology& topology) {
@@ -97,7 +98,10 @@ void find_intersections(const PolygonSoup& soup, const CoincidentPoints& coincid
   for (std::size_t face = 0; face < soup.faces(); ++face)
     mesh.triangles.push_back(
         {place(soup.face(face)[0]), place(soup.face(face)[1]), place(soup.face(face)[2])});
-  const SelfIntersections found = self_intersections(mesh);
+  SelfIntersections found = self_intersections(mesh);
+  for (std::size_t face = 0; face < soup.faces(); ++face)
+    mesh.triangles[face] = {soup.face(face)[0], soup.face(face)[1], soup.face(face)[2]};
+  add_crossings_in_edges(mesh, coincident.representative, found);
   for (const MeshProblem problem : kinds_of_intersection)
     for (const auto& [first, second] : found.pairs)
       if (problem_of(first, second, topology) == problem)
@@ -151,14 +155,31 @@ MeshDiagnosis diagnose(const PolygonSoup& soup) {
 }
 
 void find_intersections_in_cell(const TriangleMesh& mesh, MeshDiagnosis& diagnosis) {
-  const SelfIntersections found = self_intersections(mesh);
+  SelfIntersections found = self_intersections(mesh);
+  add_crossings_in_edges(mesh, first_at_place(mesh), found);
   if (!found.complete) diagnosis.findings.push_back({MeshProblem::search_given_up, 1, {}, {}});
-  const MeshTopology topology = found.pairs.empty() ? MeshTopology() : mesh_topology(mesh);
+  if (found.pairs.empty()) return;
+  const MeshTopology topology = mesh_topology(mesh);
+  const Wrapping unrolled = wrapping(mesh, topology);
+  // Of one piece that goes on through the cell, what its own translations lead to is no other image.
+  const auto problem_at = [&](std::size_t pair) {
+    const auto [first, second] = found.pairs[pair];
+    const MeshProblem problem = problem_of(first, second, topology);
+    if (problem != MeshProblem::self_intersection) return problem;
+    const auto& one = unrolled.image[mesh.triangles[first][0]];
+    const auto& other = unrolled.image[mesh.triangles[second][0]];
+    std::array<std::int32_t, 3> across = mesh.space.multiples(found.moved[pair]);
+    for (std::size_t d = 0; d < 3; ++d) across[d] += other[d] - one[d];
+    const bool own = unrolled.translations[topology.component_of_face[first]].contains(across);
+    return own ? problem : MeshProblem::images_intersect;
+  };
+  std::vector<MeshProblem> problems;
+  for (std::size_t pair = 0; pair < found.pairs.size(); ++pair) problems.push_back(problem_at(pair));
   for (const MeshProblem problem : kinds_of_intersection) {
     MeshFinding finding{problem, 0, {}, {}};
-    for (const auto& [first, second] : found.pairs) {
-      if (problem_of(first, second, topology) != problem || ++finding.count > most_places) continue;
-      const auto [a, b, c] = corners_of(mesh, mesh.triangles[first]);
+    for (std::size_t pair = 0; pair < problems.size(); ++pair) {
+      if (problems[pair] != problem || ++finding.count > most_places) continue;
+      const auto [a, b, c] = corners_of(mesh, mesh.triangles[found.pairs[pair][0]]);
       finding.places.push_back({{}, {}, mesh.space.wrapped((a + b + c) / 3.0)});
     }
     if (finding.count > 0) diagnosis.findings.push_back(std::move(finding));

@@ -40,6 +40,8 @@ const char* name(MeshProblem problem) {
       return "no_area";
     case MeshProblem::components_intersect:
       return "pieces_intersect";
+    case MeshProblem::images_intersect:
+      return "images_intersect";
     case MeshProblem::inconsistent_winding:
       return "inconsistent_winding";
     case MeshProblem::inside_out:

@@ -24,6 +24,7 @@ enum class MeshProblem {
   not_orientable,
   no_area,
   components_intersect,
+  images_intersect,
   // Always mended.
   inconsistent_winding,
   inside_out,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/mesh/periodic_mesh.h"
 
-#include <Eigen/LU>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -17,21 +16,7 @@ using Image = std::array<std::int32_t, 3>;
 
 Image operator+(const Image& a, const Image& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Image operator-(const Image& a, const Image& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-// Translations as columns of a matrix of full column rank.
-struct Span {
-  Mat3 columns = Mat3::Zero();
-  int rank = 0;
-
-  void add(const Image& image) {
-    if (rank == 3 || image == Image{0, 0, 0}) return;
-    columns.col(rank) = Vec3(image[0], image[1], image[2]);
-    if (Eigen::FullPivLU<Mat3>(columns).rank() > rank)
-      ++rank;
-    else
-      columns.col(rank).setZero();
-  }
-};
+Image operator*(std::int32_t n, const Image& a) { return {n * a[0], n * a[1], n * a[2]}; }
 
 // Where the cut leaves parts that hang together by a vertex alone, each gets a vertex of its own.
 void part_fans(Unfolded& open) {
@@ -70,19 +55,43 @@ void part_fans(Unfolded& open) {
 
 }  // namespace
 
-std::vector<int> wrapping_ranks(const TriangleMesh& mesh, const MeshTopology& topology) {
-  std::vector<int> ranks(topology.components, 0);
-  if (!mesh.space.periodic()) return ranks;
+// Euclid's algorithm, one coordinate after the other.
+void Translations::add(Image image) {
+  for (std::size_t d = 0; d < 3; ++d)
+    while (image[d] != 0) {
+      if (rows_[d][d] == 0) {
+        rows_[d] = image;
+        return;
+      }
+      const Image rest = rows_[d] - rows_[d][d] / image[d] * image;
+      rows_[d] = image;
+      image = rest;
+    }
+}
+
+bool Translations::contains(Image image) const {
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (image[d] == 0) continue;
+    if (rows_[d][d] == 0 || image[d] % rows_[d][d] != 0) return false;
+    image = image - image[d] / rows_[d][d] * rows_[d];
+  }
+  return true;
+}
+
+int Translations::rank() const { return (rows_[0][0] != 0) + (rows_[1][1] != 0) + (rows_[2][2] != 0); }
+
+Wrapping wrapping(const TriangleMesh& mesh, const MeshTopology& topology) {
+  Wrapping result{std::vector<Image>(mesh.points.size()), std::vector<Translations>(topology.components)};
+  if (!mesh.space.periodic()) return result;
   std::vector<std::vector<VertexIndex>> neighbours(mesh.points.size());
   for (const Triangle& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       neighbours[t[k]].push_back(t[(k + 1) % 3]);
       neighbours[t[(k + 1) % 3]].push_back(t[k]);
     }
-  std::vector<Image> image(mesh.points.size());
+  std::vector<Image>& image = result.image;
   std::vector<bool> seen(mesh.points.size(), false);
   for (std::size_t c = 0; c < topology.components; ++c) {
-    Span span;
     std::vector<VertexIndex> waiting = {mesh.triangles[topology.component[c].first_face][0]};
     seen[waiting.front()] = true;
     for (std::size_t next = 0; next < waiting.size(); ++next) {
@@ -90,7 +99,7 @@ std::vector<int> wrapping_ranks(const TriangleMesh& mesh, const MeshTopology& to
       for (const VertexIndex u : neighbours[v]) {
         const Image there = image[v] + mesh.space.image(mesh.points[v], mesh.points[u]);
         if (seen[u]) {
-          span.add(there - image[u]);
+          result.translations[c].add(there - image[u]);
           continue;
         }
         seen[u] = true;
@@ -98,8 +107,14 @@ std::vector<int> wrapping_ranks(const TriangleMesh& mesh, const MeshTopology& to
         waiting.push_back(u);
       }
     }
-    ranks[c] = span.rank;
   }
+  return result;
+}
+
+std::vector<int> wrapping_ranks(const TriangleMesh& mesh, const MeshTopology& topology) {
+  std::vector<int> ranks;
+  for (const Translations& translations : wrapping(mesh, topology).translations)
+    ranks.push_back(translations.rank());
   return ranks;
 }
 

@@ -4,12 +4,33 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/triangle_mesh.h"
 
 namespace nanocarbon::mesh {
+
+//! Translations of a lattice, in multiples of a cell's edges, that others generate.
+class Translations {
+ public:
+  void add(std::array<std::int32_t, 3> image);
+  bool contains(std::array<std::int32_t, 3> image) const;
+  int rank() const;
+
+ private:
+  std::array<std::array<std::int32_t, 3>, 3> rows_ = {};  // an upper triangle; zero on its diagonal where none leads
+};
+
+//! How a mesh goes on through the faces of its cell.
+struct Wrapping {
+  //! Cell multiples to add to each vertex so that its component is in one piece, as far as that goes.
+  std::vector<std::array<std::int32_t, 3>> image;
+  //! Of each component, those that lead along its edges from a vertex to an image of it.
+  std::vector<Translations> translations;
+};
+Wrapping wrapping(const TriangleMesh& mesh, const MeshTopology& topology);
 
 //! \brief For each component in how many independent directions it goes on through the cell's faces for ever:
 //! 0 for a bubble, 1 for a tube, 2 for a sheet, 3 for a network.
