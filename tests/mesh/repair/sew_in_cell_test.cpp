@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
@@ -67,6 +69,51 @@ TEST(SewInCell, CutsSeamsWhereVerticesDoNotMeet) {
   EXPECT_TRUE(mesh_topology(sewn.mesh).closed());
   EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, 0);
   EXPECT_FALSE(sewn.notes.empty());
+}
+
+// Grids leave slivers where the surface nearly goes through a node: here at an edge of the cell, with vertices that are
+// as near to images of each other as vertices that are meant to be the same may be.
+TEST(SewInCell, TakesSliversAtTheEdgesOfTheCell) {
+  for (const double small : {1e-3, 1e-2, 6e-2}) {
+    TriangleMesh mesh = sheet(12, 12);
+    // The corner of the sheet is cut into a small triangle, all four times.
+    const auto at = [](VertexIndex i, VertexIndex j) { return j * 13 + i; };
+    const double length = small / 12;
+    std::map<VertexIndex, std::array<VertexIndex, 2>> beside;  // corners: new vertices along x and along y
+    for (const VertexIndex i : {0u, 12u})
+      for (const VertexIndex j : {0u, 12u}) {
+        const Vec3 corner = mesh.points[at(i, j)];
+        const Vec3 x(i == 0 ? length : -length, 0, 0), y(0, j == 0 ? length : -length, 0);
+        const auto first = static_cast<VertexIndex>(mesh.points.size());
+        mesh.points.push_back(corner + x);
+        mesh.points.push_back(corner + y);
+        beside[at(i, j)] = {first, first + 1};
+      }
+    std::vector<Triangle> triangles;
+    for (const Triangle& t : mesh.triangles) {
+      std::vector<VertexIndex> polygon;
+      for (std::size_t k = 0; k < 3; ++k) {
+        polygon.push_back(t[k]);
+        const VertexIndex next = t[(k + 1) % 3];
+        const bool along_x = mesh.points[t[k]].y() == mesh.points[next].y(),
+                   along_y = mesh.points[t[k]].x() == mesh.points[next].x();
+        for (const VertexIndex corner : {t[k], next})
+          if (const auto found = beside.find(corner); found != beside.end() && (along_x || along_y))
+            polygon.push_back(found->second[along_x ? 0 : 1]);
+      }
+      // A fan around a vertex that is no corner keeps the new vertices on the sides.
+      std::size_t apex = 0;
+      while (beside.count(polygon[apex]) > 0) ++apex;
+      std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(apex), polygon.end());
+      for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
+    }
+    mesh.triangles = triangles;
+    const SewnSurface sewn = sew_in_cell(mesh, unit_cell);
+    EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << small;
+    EXPECT_TRUE(mesh_topology(sewn.mesh).manifold()) << small;
+    EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, 0) << small;
+  }
 }
 
 TEST(SewInCell, SplitsEdgesThatAreLongForTheCell) {

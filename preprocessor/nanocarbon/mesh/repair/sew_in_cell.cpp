@@ -16,6 +16,7 @@
 #include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
+#include "nanocarbon/mesh/repair/match_images.h"
 #include "nanocarbon/mesh/winding.h"
 
 namespace nanocarbon::mesh {
@@ -161,42 +162,16 @@ class Sewing {
 
   // What lies on an image of what: boundary vertices only, and never two of the same place.
   void match_vertices() {
-    partner_.assign(mesh_.points.size(), {});
-    std::vector<VertexIndex> vertices;
-    for (const BoundaryEdge& edge : boundary_edges(mesh_)) vertices.push_back(edge.from);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    boundary_ = vertices;
-    std::vector<Vec3> points;
-    for (const VertexIndex v : vertices) points.push_back(mesh_.points[v]);
-    if (points.empty()) return;
-    std::size_t averaged = 0;
-    double farthest = 0.0;
-    const double reach = std::max(tolerance_, nearly_same * mean_edge_);
-    const NeighbourList near = neighbours_within(points, &cell(), reach);
-    for (std::uint32_t i = 0; i < vertices.size(); ++i)
-      for (const Neighbour& n : near.of(i)) {
-        if (n.image == std::array<std::int32_t, 3>{0, 0, 0} || n.atom == i) continue;
-        const double distance = (points[n.atom] + image_shift(cell(), n.image) - points[i]).norm();
-        if (distance > tolerance_ && !is_nearest(near.of(i), points, i, n, distance)) continue;
-        partner_[vertices[i]].push_back(vertices[n.atom]);
-        partner_[vertices[n.atom]].push_back(vertices[i]);
-        if (distance <= tolerance_) continue;
-        ++averaged;
-        farthest = std::max(farthest, distance);
-      }
-    if (averaged > 0)
+    boundary_.clear();
+    for (const BoundaryEdge& edge : boundary_edges(mesh_)) boundary_.push_back(edge.from);
+    std::sort(boundary_.begin(), boundary_.end());
+    boundary_.erase(std::unique(boundary_.begin(), boundary_.end()), boundary_.end());
+    ImageMatches matches =
+        match_images(mesh_, cell(), boundary_, tolerance_, std::max(tolerance_, nearly_same * mean_edge_));
+    partner_ = std::move(matches.partners);
+    if (matches.nearly > 0)
       note(fmt::format("joined boundary vertices that lie up to {:.2g} mean edges from images of others: {}",
-                       farthest / mean_edge_, averaged / 2 + averaged % 2));
-  }
-
-  // Of all near by through the same image.
-  bool is_nearest(std::span<const Neighbour> row, const std::vector<Vec3>& points, std::uint32_t i,
-                  const Neighbour& n, double distance) const {
-    return std::none_of(row.begin(), row.end(), [&](const Neighbour& other) {
-      return other.image == n.image &&
-             (points[other.atom] + image_shift(cell(), other.image) - points[i]).norm() < distance;
-    });
+                       matches.farthest / mean_edge_, matches.nearly));
   }
 
   // Boundary vertices without a partner that lie on the image of a boundary edge become vertices of it.
@@ -336,6 +311,12 @@ class Sewing {
     for (const Triangle& t : mesh_.triangles) {
       const Triangle corners = {index[t[0]], index[t[1]], index[t[2]]};
       if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+        // A sliver whose vertices are as near to each other as they may be to images.
+        const auto apart = [&](std::size_t k) {
+          const VertexIndex a = t[k], b = t[(k + 1) % 3];
+          return index[a] == index[b] ? (mesh_.points[a] - mesh_.points[b]).norm() : 0.0;
+        };
+        if (std::max({apart(0), apart(1), apart(2)}) <= 4 * tolerance_) continue;
         fail(fmt::format("the triangle at {} meets itself across the cell", place(mesh_.points[t[0]])),
              "treat several cells as one (--cells 2), or give a finer mesh");
       }
