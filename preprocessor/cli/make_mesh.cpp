@@ -195,11 +195,17 @@ void add_foam(CLI::App& mesh) {
       mesh, "foam", "A random porous surface in a periodic cube: a level set of a Gaussian random field",
       shapes::make_foam);
   length(mesh, "foam", "--size", c->shape.size, "Edge of the cube");
-  length(mesh, "foam", "--edge", c->shape.edge, "Length of the triangles' edges");
   CLI::App& sub = *mesh.get_subcommand("foam");
+  sub.add_option("--edge", c->shape.edge,
+                 "Length of the triangles' edges, mesh units (default: 0.06 wavelengths)")
+      ->check(above_zero());
   sub.add_option("--waves", c->shape.waves, "Wavelengths of the field along the cube's edge")
       ->check(between(1.0, 30.0))
       ->capture_default_str();
+  sub.add_option("--thickness", c->shape.thickness,
+                 "Least thickness of necks and walls, mesh units (default: 0.2 wavelengths; 0: as the field "
+                 "has them)")
+      ->check(zero_or_more());
   sub.add_option("--level", c->shape.level, "Level of the field, in standard deviations")
       ->check(between(-1.0, 1.0))
       ->capture_default_str();

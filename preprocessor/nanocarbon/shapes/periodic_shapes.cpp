@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/core/random_stream.h"
 #include "nanocarbon/mesh/join_points.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/shapes/polygonise_in_cell.h"
+#include "nanocarbon/shapes/random_field.h"
 
 namespace nanocarbon::shapes {
 namespace {
@@ -117,43 +117,17 @@ TriangleMesh make_minimal_surface(const MinimalSurface& m) {
 }
 
 TriangleMesh make_foam(const Foam& f) {
-  require(f.size > 0.0 && f.edge > 0.0, "the lengths of a foam must be above zero");
   require(f.waves >= 1.0 && f.waves <= 30.0, "a foam has 1 to 30 wavelengths along the edge of its cell");
+  const double edge = f.edge.value_or(0.06 * f.size / f.waves);
+  require(f.size > 0.0 && edge > 0.0, "the lengths of a foam must be above zero");
   require(std::abs(f.level) <= 1.0, "the level must be within one standard deviation");
-  require(f.edge * f.waves <= 0.12 * f.size, "the edge must not be longer than 0.12 wavelengths");
-  struct Wave {
-    Vec3 vector;
-    double amplitude, phase;
-  };
-  constexpr std::size_t enough = 60;  // waves: of more the field is not more Gaussian to the eye, but dearer
-  std::vector<Vec3> shell;
-  const int most = static_cast<int>(std::ceil(f.waves)) + 1;
-  for (int i = -most; i <= most; ++i)
-    for (int j = -most; j <= most; ++j)
-      for (int k = 0; k <= most; ++k) {
-        const bool first_of_two = k > 0 || j > 0 || (j == 0 && i > 0);
-        const Vec3 n(i, j, k);
-        if (!first_of_two || std::abs(n.norm() - f.waves) > 0.5) continue;
-        shell.push_back(n);
-      }
-  std::vector<Wave> waves;
-  RandomStream random(f.seed, 0);
-  double squares = 0.0;
-  while (!shell.empty() && waves.size() < enough) {
-    std::swap(shell[random.below(shell.size())], shell.back());
-    // The square root of an exponential and a phase: a Gaussian complex amplitude.
-    const double amplitude = std::sqrt(-std::log(std::max(random.uniform(), 1e-300)));
-    waves.push_back({2.0 * pi / f.size * shell.back(), amplitude, 2.0 * pi * random.uniform()});
-    squares += 0.5 * amplitude * amplitude;
-    shell.pop_back();
-  }
-  const double scale = 1.0 / std::sqrt(squares);
-  const ImplicitShape field = [&](const Vec3& p) {
-    double sum = 0.0;
-    for (const Wave& wave : waves) sum += wave.amplitude * std::cos(wave.vector.dot(p) + wave.phase);
-    return scale * sum - f.level;
-  };
-  TriangleMesh mesh = polygonise_in_cell(field, orthogonal_cell(Vec3::Constant(f.size)), f.edge);
+  require(!f.thickness || (*f.thickness >= 0.0 && *f.thickness * f.waves <= 0.3 * f.size),
+          "the thickness must not be above 0.3 wavelengths");
+  require(edge * f.waves <= 0.12 * f.size, "the edge must not be longer than 0.12 wavelengths");
+  RandomField field(f.size, f.waves, f.seed);
+  thicken_necks(field, f.level, f.thickness.value_or(0.2 * field.wave_length()));
+  TriangleMesh mesh = polygonise_in_cell([&](const Vec3& p) { return field(p) - f.level; },
+                                         orthogonal_cell(Vec3::Constant(f.size)), edge);
   const mesh::MeshTopology topology = mesh::mesh_topology(mesh);
   const std::vector<int> ranks = mesh::wrapping_ranks(mesh, topology);
   std::vector<bool> kept(ranks.size());

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "nanocarbon/mesh/triangle_mesh.h"
@@ -28,15 +29,17 @@ std::string_view name(MinimalSurface::Kind kind);
 //! lattice would
 TriangleMesh make_minimal_surface(const MinimalSurface& surface);
 
-//! \brief A random porous surface: where a Gaussian random field of one wave length has a given value.
-//! \details Waves on the cell's reciprocal lattice, of about `waves` periods along an edge, with random
-//! amplitudes and phases (Cahn 1965). Pieces that do not go through the cell are left out.
+//! \brief A random porous surface: where a Gaussian random field of one wave length has a given value (random_field.h).
+//! \details Pieces that do not go through the cell are left out.
 struct Foam {
   double size = 1.0;   //!< edge of the cubic cell
   double waves = 2.0;  //!< wave lengths along the edge, from 1
   double level = 0.0;  //!< in standard deviations of the field; 0: both sides take half of the space
   std::uint64_t seed = 1;
-  double edge = 0.03;
+  std::optional<double> edge =
+      {};  //!< about the edges of the triangles; 0.06 wave lengths where it is not given
+  //! Of necks and walls, at least; a fifth of a wave length where it is not given; 0 for those of the field as it is.
+  std::optional<double> thickness = {};
 };
 TriangleMesh make_foam(const Foam& foam);
 
