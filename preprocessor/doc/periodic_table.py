@@ -30,8 +30,7 @@ CRYSTALS = {
     "D": {144: 156.56, 168: 152.20, 192: 152.57, 224: 127.48, 768: 148.0},
 }
 
-ROWS = [f"{surface}:{atoms}" for surface in SURFACES for atoms in (190, 400, 800, 1500, 3000)]
-ROWS += [f"{surface}:10000:draft" for surface in SURFACES]
+ROWS = [f"{surface}:{atoms}" for surface in SURFACES for atoms in (190, 400, 1000, 1600, 3000, 10000)]
 
 
 def build(program, folder, surface, atoms, quality):
