@@ -44,10 +44,13 @@ struct Likeness {
 
 //! \brief An estimate of the energy of sp2 carbon on a surface, eV above graphene for each atom.
 //!
-//! Bending: 1.4 eV / 2 times the squared sum of the principal curvatures, integrated over the area. Disclinations: 5 eV
-//! for each pi/3 of Gaussian curvature of either sign, which needs a pentagon or heptagon and strains the sheet around
-//! it. Boundary: for each Angstrom 1.5 eV where bonds dangle and 0.05 with hydrogen, for corners. The curvatures are
-//! those of normals smoothed over a ring, since a crease is rounded to about that width.
+//! Bending: 1.4 eV / 2 times the squared sum of the principal curvatures, or of their difference where they have one sign,
+//! integrated over the area. Disclinations: for each pi/3 of Gaussian curvature a pentagon or heptagon, whose cost grows
+//! with the logarithm of the area that it has for itself: 2.8 eV for a pentagon of C60, 4.5 of C540, 0.9 for a heptagon on
+//! the smallest schwarzites, 2.8 on those ten times as large; or less, where there is so little Gaussian curvature that a
+//! strained sheet costs less. Boundary: for each Angstrom 1.2 eV where bonds dangle and 0.01 with hydrogen, for corners.
+//! The curvatures are those of normals smoothed over a ring, since a crease is rounded to about that width. Molecules of
+//! open surfaces, which may unbend, come to lie below it: a hemisphere of 1,000 atoms at half.
 double expected_energy(const TriangleMesh& surface, std::size_t atoms,
                        Boundary boundary = Boundary::hydrogen);
 
