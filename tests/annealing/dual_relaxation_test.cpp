@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <vector>
 
+#include "nanocarbon/annealing/trivalent_network.h"
 #include "nanocarbon/molecule/dual.h"
+#include "remeshing/shapes.h"
 #include "support/rough_sphere.h"
 
 namespace nanocarbon::annealing {
@@ -47,6 +50,27 @@ TEST(RelaxDual, AFullereneComesToRestAtItsEnergy) {
   const DualRelaxationResult result = relax_dual(molecule, surface, {.tether = 0, .force_tolerance = 1e-3});
   // C320 (Ih) by LAMMPS's pair_style rebo.
   EXPECT_NEAR(result.energy / 320, -7.2409063626, 2e-6);
+}
+
+// Only its boundary holds a flat sheet in its plane: it goes back there, and comes to rest. Large enough for the
+// preconditioner.
+TEST(RelaxNetwork, AFlatSheetBesideItsPlaceGoesBack) {
+  constexpr double edge = 2.46;
+  const TriangleMesh sheet = test::equilateral_sheet(edge, 32, 33);
+  TrivalentNetwork network = trivalent_network(sheet);
+  network.hydrogen = true;
+  std::vector<Vec3> positions;
+  for (const Triangle& t : sheet.triangles) {
+    const auto [a, b, c] = corners_of(sheet, t);
+    positions.push_back((a + b + c) / 3 + Vec3(0.5, 0.3, 0));
+  }
+  ASSERT_GT(positions.size(), 2000u);
+  const Vec3 at = positions[1000];
+  const DualRelaxationResult result =
+      relax_network(fixed_bond_graph(network, Space()), positions, TetherSurface(sheet, 1),
+                    {.force_tolerance = 0.02, .free_mean = false});
+  EXPECT_LT(result.max_force, 0.02);
+  EXPECT_NEAR((positions[1000] - at + Vec3(0.5, 0.3, 0)).norm(), 0, 0.15);
 }
 
 }  // namespace

@@ -14,9 +14,16 @@ namespace {
 // A preconditioner costs about as much as so many iterations to set up: not worth it for a short relaxation.
 constexpr int least_iterations = 50;
 
-multilevel::Holds holds_of(std::span<const TangentPlane> planes, double tether) {
+// One for each atom. Those at the boundary are held across the surface: nothing else holds a flat sheet in its plane,
+// where without it the preconditioner would move it far away.
+multilevel::Holds holds_of(const FixedBondModel& model) {
   multilevel::Holds holds;
-  for (const TangentPlane& plane : planes) holds.push_back(std::sqrt(tether) * plane.normal);
+  for (AtomIndex a = 0; a < model.planes.size(); ++a) {
+    const bool at_boundary =
+        a < model.edges.size() && model.rebo2.graph().open(a) && !model.edges[a].normal.isZero(0.0);
+    holds.push_back(at_boundary ? std::sqrt(boundary_tether) * model.edges[a].normal
+                                : std::sqrt(model.tether) * model.planes[a].normal);
+  }
   return holds;
 }
 
@@ -60,8 +67,7 @@ minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const Teth
       hold_boundary(model, *surface, positions);
     }
     // The normals change little on the way.
-    if (preconditioner && iterations == 0)
-      preconditioner->renew(positions, holds_of(model.planes, model.tether));
+    if (preconditioner && iterations == 0) preconditioner->renew(positions, holds_of(model));
     minimisation::LbfgsOptions part = options;
     part.max_iterations = options.max_iterations - iterations;
     part.team = model.running.team;
