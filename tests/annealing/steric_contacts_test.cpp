@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace nanocarbon::annealing {
 namespace {
 
@@ -59,6 +62,44 @@ TEST(StericContacts, PairsAreFoundAgainWhereEverythingMovesFarAndTwoPartsMeet) {
     EXPECT_EQ(contacts.evaluate(chains.positions, chains.graph, gradient),
               fresh.evaluate(chains.positions, chains.graph, gradient));
   }
+}
+
+// Large molecules renew pairs where something has moved. Rungs of a ladder stand for bonds; its sides are pressed
+// against each other here and there, and the whole swings.
+TEST(StericContacts, LargeMoleculesAreRepelledByTheSamePairs) {
+  Chains chains(10.0);
+  chains.positions.clear();
+  chains.graph.neighbours.clear();
+  constexpr AtomIndex length = 1500;
+  for (AtomIndex c = 0; c < 2; ++c)
+    for (AtomIndex k = 0; k < length; ++k) {
+      chains.positions.push_back(Vec3(1.42 * k, 3.5 * c, 0));
+      chains.graph.neighbours.push_back(
+          {k > 0 ? length * c + k - 1 : no_atom, k + 1 < length ? length * c + k + 1 : no_atom, no_atom});
+    }
+  StericContacts contacts;
+  ThreadTeam team(2);
+  double largest = 0;
+  for (int step = 0; step < 40; ++step) {
+    for (AtomIndex k = 0; k < length; ++k) {
+      chains.positions[length + k].y() = 3.5 - 1.2 * std::pow(std::sin(0.01 * k + 0.3 * step), 8);
+      for (const AtomIndex a : {k, length + k}) chains.positions[a].z() = 0.2 * step * std::sin(0.002 * k);
+    }
+    std::vector<Vec3> kept(chains.positions.size(), Vec3::Zero()), fresh = kept;
+    StericContacts all;
+    all.renew(chains.positions, chains.graph);
+    double energy = 0;
+    for (AtomIndex a = 0; a < chains.positions.size(); ++a)
+      for (const AtomIndex b : all.near(a)) {
+        const double pair = steric_pair(chains.positions[a], chains.positions[b], fresh[a]);
+        if (b > a) energy += pair;
+      }
+    EXPECT_NEAR(contacts.evaluate(chains.positions, chains.graph, kept, step % 2 ? &team : nullptr), energy,
+                1e-9 * energy);
+    EXPECT_EQ(kept, fresh);
+    largest = std::max(largest, energy);
+  }
+  EXPECT_GT(largest, 1);
 }
 
 TEST(StericContacts, ForceIsTheSlopeOfTheEnergy) {

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double stiffness = 8;  // eV/Angstrom^2
 
+// With fewer atoms all pairs are renewed at once.
+constexpr std::size_t least_large = 2000;
+
 // Atoms that walks of two and of three bonds lead to: all within three bonds, since walks may turn back. Some
 // stand there twice; no_atom fills up at boundaries.
 using Walks = std::array<AtomIndex, 9 + 27>;
@@ -29,6 +32,20 @@ void walk_three_bonds(const StericContacts::Neighbours& neighbours, AtomIndex st
       for (const AtomIndex l : neighbours[m]) found[third++] = l;
     }
   }
+}
+
+// Whether a walk of three bonds leads from one atom to the other, or a shorter one.
+bool within_three_bonds(const StericContacts::Neighbours& neighbours, AtomIndex one, AtomIndex other) {
+  const auto& ends = neighbours[other];
+  for (const AtomIndex n : neighbours[one]) {
+    if (n == no_atom) continue;
+    if (n == other) return true;
+    for (const AtomIndex m : neighbours[n]) {
+      if (m == no_atom) continue;
+      if (m == other || std::find(ends.begin(), ends.end(), m) != ends.end()) return true;
+    }
+  }
+  return false;
 }
 
 // Atoms at most `bonds` bonds away from the start, found breadth first; sorted.
@@ -56,26 +73,33 @@ double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a) {
   return 0.5 * stiffness * overlap * overlap;
 }
 
+namespace {
+
+bool used(const StericContacts::Neighbours& neighbours, AtomIndex a) {
+  const auto& n = neighbours[a];
+  return n[0] != no_atom || n[1] != no_atom || n[2] != no_atom;
+}
+
+}  // namespace
+
 void StericContacts::renew(std::span<const Vec3> positions, const FixedBondGraph& graph, ThreadTeam* team) {
   const Neighbours& neighbours = graph.neighbours;
   watch_.set(positions);
+  pairs_ = KeptPairs(steric_reach, steric_margin);
   const NeighbourList candidates =
       neighbours_within(positions, graph.space.cell(), steric_reach + steric_margin, team);
   offsets_.assign(1, 0);
   near_.clear();
-  const auto used = [&](AtomIndex a) {
-    const auto& n = neighbours[a];
-    return n[0] != no_atom || n[1] != no_atom || n[2] != no_atom;
-  };
   Walks close;
   std::vector<AtomIndex> bonded;
   for (AtomIndex a = 0; a < positions.size(); ++a) {
     // In a flat sheet every candidate is within three bonds; only curved or folded places need the search.
-    if (used(a)) {
+    if (used(neighbours, a)) {
       walk_three_bonds(neighbours, a, close);
       bonded.clear();
       for (const Neighbour& candidate : candidates.of(a)) {
-        if (!used(candidate.atom) || std::find(close.begin(), close.end(), candidate.atom) != close.end())
+        if (!used(neighbours, candidate.atom) ||
+            std::find(close.begin(), close.end(), candidate.atom) != close.end())
           continue;
         if (bonded.empty()) atoms_within_bonds(neighbours, a, steric_excluded_bonds, bonded);
         if (!std::binary_search(bonded.begin(), bonded.end(), candidate.atom))
@@ -86,9 +110,21 @@ void StericContacts::renew(std::span<const Vec3> positions, const FixedBondGraph
   }
 }
 
+void StericContacts::renew_where_nearer(std::span<const Vec3> positions, const FixedBondGraph& graph,
+                                        ThreadTeam* team) {
+  const Neighbours& neighbours = graph.neighbours;
+  const auto apart = [&](AtomIndex a, AtomIndex b) {
+    return used(neighbours, a) && used(neighbours, b) && !within_three_bonds(neighbours, a, b);
+  };
+  if (pairs_.update(positions, apart, team)) pairs_.rows(offsets_, near_);
+}
+
 double StericContacts::evaluate(std::span<const Vec3> positions, const FixedBondGraph& graph,
                                 std::span<Vec3> gradient, ThreadTeam* team) {
-  if (watch_.may_be_closer(positions, !graph.space.periodic(), team)) renew(positions, graph, team);
+  if (!graph.space.periodic() && positions.size() >= least_large)
+    renew_where_nearer(positions, graph, team);
+  else if (watch_.may_be_closer(positions, !graph.space.periodic(), team))
+    renew(positions, graph, team);
   if (near_.empty()) return 0;
   // Each pair from both of its atoms: no two threads add to one gradient.
   return sum_chunks(team, positions.size(), [&](std::size_t begin, std::size_t end) {

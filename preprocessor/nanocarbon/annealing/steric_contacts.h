@@ -9,6 +9,7 @@
 
 #include "nanocarbon/annealing/fixed_bond_rebo2.h"
 #include "nanocarbon/core/approach_watch.h"
+#include "nanocarbon/core/kept_pairs.h"
 
 namespace nanocarbon::annealing {
 
@@ -27,7 +28,7 @@ double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a);
 //! \brief Keeps atoms apart that are not bonded: sheets that nearly touch, thin parts, folds.
 //! \details The fixed-bond energy does not know unbonded atoms. Pairs are taken from a cell list with a
 //! margin and renewed once two atoms near each other may have come closer by it: parts that move as a whole
-//! do not count.
+//! do not count. In large molecules they are renewed where that is so, and not elsewhere.
 class StericContacts {
  public:
   using Neighbours = std::vector<std::array<AtomIndex, 3>>;
@@ -46,9 +47,12 @@ class StericContacts {
   }
 
  private:
+  void renew_where_nearer(std::span<const Vec3> positions, const FixedBondGraph& graph, ThreadTeam* team);
+
   std::vector<std::size_t> offsets_;
   std::vector<AtomIndex> near_;
   ApproachWatch watch_{steric_reach, steric_margin};
+  KeptPairs pairs_{steric_reach, steric_margin};  // in place of the watch, of large molecules in free space
 };
 
 }  // namespace nanocarbon::annealing

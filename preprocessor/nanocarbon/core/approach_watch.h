@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "nanocarbon/core/rigid_blocks.h"
 #include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/core/vec3.h"
 
@@ -34,24 +35,12 @@ class ApproachWatch {
   bool may_be_closer(std::span<const Vec3> positions, bool whole_parts, ThreadTeam* team = nullptr);
 
  private:
-  struct Block {               // of atoms that were in one cube of space
-    std::uint32_t begin, end;  // in atoms_
-    Vec3 centre;               // of the reference
-    double radius;             // of its atoms about the centre
-    Vec3 now;                  // where the centre has gone
-    Mat3 turn;
-    double spread;  // how far an atom is from where the rigid motion takes it, at most
-    double apart;   // how far an atom's shift is from the mean of all, at most
-  };
-  void divide();
-  void fit(Block& block, std::span<const Vec3> positions, const Vec3& mean_shift) const;
   double largest_approach(std::span<const Vec3> positions, ThreadTeam* team);
 
   double reach_, margin_;
   std::vector<Vec3> reference_, checked_;
-  double left_ = 0;                   // of the margin when the positions were checked
-  std::vector<std::uint32_t> atoms_;  // by block
-  std::vector<Block> blocks_;
+  double left_ = 0;     // of the margin when the positions were checked
+  RigidBlocks blocks_;  // of the reference
   std::vector<std::pair<std::uint32_t, std::uint32_t>> adjacent_;  // blocks that touch
 };
 
