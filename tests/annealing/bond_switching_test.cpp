@@ -70,5 +70,26 @@ TEST(AnnealBonds, TheNumberOfThreadsDoesNotChangeTheMolecule) {
   EXPECT_TRUE(results[0].positions == results[1].positions);
 }
 
+TEST(AnnealBonds, AroundAnAtomLeavesWhatIsFarAwayAlone) {
+  const double scale = test::scale_for(1280, 4 * std::numbers::pi);
+  const TetherSurface surface(test::unit_sphere(20), scale);
+  SwitchingState state = rough_state(8, 1, scale, surface);
+  const TrivalentNetwork before = state.network;
+  const BondSwitchingResult result = anneal_bonds(
+      state, surface,
+      {.hot = 0.5, .cold = 0.5, .blocks = 1, .trials_per_defect = 40, .climb_share = 0, .around = {0}});
+  EXPECT_GT(result.accepted, 0u);
+  ASSERT_EQ(state.network.atoms.size(), before.atoms.size());
+  // Ten bonds for the ring's atom, and the ring, its neighbours and theirs.
+  const double near = 16 * 1.42;
+  std::size_t far = 0;
+  for (AtomIndex a = 0; a < before.atoms.size(); ++a) {
+    if ((state.positions[a] - state.positions[0]).norm() < near) continue;
+    ++far;
+    EXPECT_EQ(state.network.atoms[a].neighbour, before.atoms[a].neighbour);
+  }
+  EXPECT_GT(far, before.atoms.size() / 4);
+}
+
 }  // namespace
 }  // namespace nanocarbon::annealing

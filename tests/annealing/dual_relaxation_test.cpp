@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "nanocarbon/annealing/spring_relaxation.h"
 #include "nanocarbon/annealing/trivalent_network.h"
 #include "nanocarbon/molecule/dual.h"
 #include "remeshing/shapes.h"
@@ -71,6 +72,47 @@ TEST(RelaxNetwork, AFlatSheetBesideItsPlaceGoesBack) {
                     {.force_tolerance = 0.02, .free_mean = false});
   EXPECT_LT(result.max_force, 0.02);
   EXPECT_NEAR((positions[1000] - at + Vec3(0.5, 0.3, 0)).norm(), 0, 0.15);
+}
+
+// Bonds from an atom to every other.
+std::vector<int> bonds_from(AtomIndex start, const FixedBondGraph& graph) {
+  std::vector<int> steps(graph.neighbours.size(), -1);
+  std::vector<AtomIndex> reached = {start};
+  steps[start] = 0;
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    for (const AtomIndex n : graph.neighbours[reached[k]])
+      if (n != no_atom && steps[n] < 0) {
+        steps[n] = steps[reached[k]] + 1;
+        reached.push_back(n);
+      }
+  return steps;
+}
+
+TEST(RelaxBySprings, AroundAnAtomMendsItsBondsAndHoldsTheRest) {
+  const std::size_t atoms = 20 * 12 * 12;
+  Molecule molecule = scaled_dual(test::unit_sphere(12), test::scale_for(atoms, sphere_area));
+  const TetherSurface surface(test::unit_sphere(24), test::scale_for(atoms, sphere_area));
+  relax_dual(molecule, surface);
+  FixedBondModel model;
+  model.rebo2.set_graph(fixed_bond_graph(molecule));
+  const FixedBondGraph& graph = model.rebo2.graph();
+  constexpr AtomIndex moved = 1000;
+  std::vector<Vec3> positions = molecule.positions;
+  positions[moved] += 0.7 * (positions[graph.neighbours[moved][0]] - positions[moved]);
+  const std::vector<Vec3> before = positions;
+  model.planes = tangent_planes(surface, positions);
+  relax_by_springs_around(model, surface, positions, std::vector<AtomIndex>{moved}, 400);
+  const std::vector<int> steps = bonds_from(moved, graph);
+  std::size_t changed = 0;
+  for (AtomIndex a = 0; a < atoms; ++a) {
+    changed += positions[a] != before[a] ? 1 : 0;
+    if (steps[a] > 6) {
+      ASSERT_EQ(positions[a], before[a]) << steps[a];
+    }
+    for (const AtomIndex n : graph.neighbours[a])
+      ASSERT_NEAR((positions[a] - positions[n]).norm(), 1.42, 0.1);
+  }
+  EXPECT_GT(changed, 20u);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "nanocarbon/annealing/dual_relaxation.h"
 #include "nanocarbon/annealing/geometry_check.h"
+#include "nanocarbon/annealing/untangle.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/nearest_point.h"
 
@@ -14,6 +15,9 @@ namespace {
 
 // Whole bonds end at 1.7 Angstrom for REBO2, and other atoms are seen from 2.0.
 constexpr double safe_bond = 1.66, safe_distance = 2.05;
+
+// With fewer atoms defects everywhere are tried.
+constexpr std::size_t least_large = 2000;
 
 bool is_safe(double longest_bond, double closest_unbonded) {
   return longest_bond < safe_bond && closest_unbonded > safe_distance;
@@ -108,15 +112,25 @@ void anneal_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitc
   level.accepted += anneal_bonds(level.state, surface, options).accepted;
 }
 
-void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options) {
+void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options,
+                std::span<const AtomIndex> places) {
   options.hot = options.cold = 0.2;
   options.blocks = 1;
   options.trials_per_defect = 5;
+  if (level.state.positions.size() >= least_large && !places.empty()) {
+    options.around.assign(places.begin(), places.end());
+    options.trials_per_defect = 20;
+  }
   options.tether = level.state.tether;
   for (int round = 0; round < 4 && !level.sound; ++round) {
     options.seed += 100;
     level.accepted += anneal_bonds(level.state, surface, options).accepted;
     relax_level(level, surface, false);
+    // Atoms may have got other numbers.
+    if (!options.around.empty() && !level.sound)
+      options.around =
+          tangled_atoms(level.state.positions, fixed_bond_graph(level.state.network, level.state.space),
+                        level.state.running.team, {safe_bond, safe_distance});
   }
 }
 

@@ -33,7 +33,9 @@ void relax_level(AnnealingLevel& level, const TetherSurface& surface, bool raw =
 void anneal_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options);
 
 //! Switches bonds until REBO2 would see the intended ones, a little at a time and without heat.
-void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options);
+//! \param places atoms where it would not, in the end: in large molecules bonds are switched around them only
+void mend_level(AnnealingLevel& level, const TetherSurface& surface, BondSwitchingOptions options,
+                std::span<const AtomIndex> places);
 
 //! \brief How far the surface reaches beyond the molecule: the distance of its farthest vertex from the
 //! molecule's triangulation, Angstrom.

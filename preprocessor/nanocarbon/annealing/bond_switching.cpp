@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "nanocarbon/annealing/refused_switches.h"
 #include "nanocarbon/annealing/switching_trial.h"
@@ -66,16 +67,47 @@ class IndexList {
   std::vector<std::size_t> place_;
 };
 
-// Rings that are not hexagons, and irregular chains of the boundary.
+// Bonds from the atoms around which defects are tried to the farthest that are.
+constexpr unsigned farthest_tried = 10;
+
+// Atoms within so many bonds of some; all of them where there are none.
+std::vector<bool> atoms_around(const TrivalentNetwork& network, std::span<const AtomIndex> some) {
+  std::vector<bool> found(network.atoms.size(), some.empty());
+  std::vector<AtomIndex> reached;
+  for (const AtomIndex a : some)
+    if (!found[a]) {
+      found[a] = true;
+      reached.push_back(a);
+    }
+  std::size_t shell = 0;
+  for (unsigned k = 0; k < farthest_tried && !some.empty(); ++k)
+    for (const std::size_t end = reached.size(); shell < end; ++shell)
+      for (const AtomIndex n : network.atoms[reached[shell]].neighbour)
+        if (n != no_atom && !found[n]) {
+          found[n] = true;
+          reached.push_back(n);
+        }
+  return found;
+}
+
+// Rings that are not hexagons, and irregular chains of the boundary, where they are looked for.
 class DefectList {
  public:
-  explicit DefectList(const TrivalentNetwork& network) {
+  DefectList(const TrivalentNetwork& network, std::vector<bool> looked_for)
+      : looked_for_(std::move(looked_for)) {
     for (RingIndex r = 0; r < network.rings.size(); ++r) update(network, r);
   }
   void update(const TrivalentNetwork& network, RingIndex ring) {
     const TrivalentRing& r = network.rings[ring];
-    rings_.update(ring, r.size != 0 && !r.boundary && r.size != 6);
-    chains_.update(ring, r.size != 0 && r.boundary && !is_regular(network, ring));
+    const bool here = r.size != 0 && is_looked_for(r.atom);
+    rings_.update(ring, here && !r.boundary && r.size != 6);
+    chains_.update(ring, here && r.boundary && !is_regular(network, ring));
+  }
+  // The list after the network has been made compact.
+  DefectList renumbered(const TrivalentNetwork& network, std::span<const AtomIndex> former) const {
+    std::vector<bool> looked_for;
+    for (const AtomIndex a : former) looked_for.push_back(is_looked_for(a));
+    return DefectList(network, std::move(looked_for));
   }
   const std::vector<RingIndex>& rings() const { return rings_.list(); }
   const std::vector<RingIndex>& chains() const { return chains_.list(); }
@@ -94,6 +126,9 @@ class DefectList {
  private:
   // A chain costs less than a ring and is put right in fewer trials.
   static constexpr double chain_weight = 0.1;
+  // Atoms that were added are where something is tried.
+  bool is_looked_for(AtomIndex atom) const { return atom >= looked_for_.size() || looked_for_[atom]; }
+  std::vector<bool> looked_for_;  // of atoms
   IndexList rings_, chains_;
 };
 
@@ -119,7 +154,7 @@ class Annealer {
         options_(options),
         team_(std::clamp(options.threads, 1u, static_cast<unsigned>(batch))),
         workspaces_(team_.size()),
-        defects_(state.network) {
+        defects_(state.network, atoms_around(state.network, options.around)) {
     target_ = options.target_atoms ? options.target_atoms : state.network.atoms.size();
     atoms_ = state.network.atoms.size();
     penalty_ =
@@ -152,7 +187,7 @@ class Annealer {
       }
     }
     state_ = std::move(best);
-    result_.defects = DefectList(state_.network).rings().size();
+    result_.defects = DefectList(state_.network, atoms_around(state_.network, {})).rings().size();
     return result_;
   }
 
@@ -299,7 +334,7 @@ class Annealer {
     free_rings_.clear();
     changed_.resize(former.size());
     identity_.resize(former.size());
-    defects_ = DefectList(state_.network);
+    defects_ = defects_.renumbered(state_.network, former);
   }
 
   SwitchingState& state_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "nanocarbon/annealing/switching_patch.h"
 
@@ -18,6 +19,8 @@ struct BondSwitchingOptions {
   double count_penalty = -1;       //!< eV for each (atoms - target)^2; below zero: by size
   std::size_t target_atoms = 0;    //!< 0: as many as at the start
   long largest_ring = 7;           //!< atoms in a ring; 8 where all of the surface is a saddle
+  //! If any: only defects within some bonds of these atoms are tried.
+  std::vector<AtomIndex> around = {};
   std::uint64_t seed = 1;
   unsigned threads = 1;
   //! Called many times a second with the share of the trials that are done; may throw, to end it; may be empty.

@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/annealing/dual_relaxation.h"
 
-#include <algorithm>
-
 #include "nanocarbon/annealing/fixed_bond_model.h"
 #include "nanocarbon/annealing/geometry_check.h"
-#include "nanocarbon/annealing/network_springs.h"
+#include "nanocarbon/annealing/spring_relaxation.h"
 #include "nanocarbon/annealing/untangle.h"
+#include "nanocarbon/core/chunks.h"
 
 namespace nanocarbon::annealing {
 
 namespace {
 
-// Holds the shape while springs pull on badly scaled bonds.
-constexpr double spring_tether = 0.5;
+// Larger molecules are relaxed again only around what was untangled, if that is not more than this share of them.
+constexpr std::size_t least_large = 2000;
+constexpr double most_around = 0.1;
 
-void relax_by_springs(FixedBondModel& model, const TetherSurface& surface, std::vector<Vec3>& positions,
-                      int iterations) {
-  const auto stage = model.running.stage("springs");
-  for (int round = 0; round < 3; ++round) {
-    ThreadTeam* const team = model.running.team;
-    model.planes = tangent_planes(surface, positions, model.planes, team);
-    const auto energy = [&](std::span<const Vec3> x, std::span<Vec3> g) {
-      const FixedBondGraph& graph = model.rebo2.graph();
-      return add_springs(graph, model.rebo2.chunks(), x, g, team) +
-             model.contacts.evaluate(x, graph, g, team) +
-             add_tether(model.planes, spring_tether, x, g, model.free_mean, team);
-    };
-    minimisation::minimise_lbfgs(positions, energy,
-                                 {.max_iterations = iterations / 3, .force_tolerance = 0.05, .team = team});
-  }
+void relax_untangled(FixedBondModel& model, const TetherSurface& surface, std::vector<Vec3>& positions,
+                     std::span<const AtomIndex> untangled, int iterations) {
+  const auto atoms = static_cast<double>(positions.size());
+  if (positions.size() < least_large || static_cast<double>(untangled.size()) > most_around * atoms)
+    relax_by_springs(model, surface, positions, iterations);
+  else
+    relax_by_springs_around(model, surface, positions, untangled, iterations);
+}
+
+double mean_distance(const TetherSurface& surface, std::span<const Vec3> positions, ThreadTeam* team) {
+  const double sum = sum_chunks(team, positions.size(), [&](std::size_t begin, std::size_t end) {
+    double part = 0;
+    for (std::size_t a = begin; a < end; ++a) part += surface.distance(positions[a]);
+    return part;
+  });
+  return sum / static_cast<double>(positions.size());
 }
 
 }  // namespace
@@ -49,21 +50,22 @@ DualRelaxationResult relax_network(const FixedBondGraph& graph, std::vector<Vec3
     relaxed = minimise_fixed_bonds(
         model, &surface, positions,
         {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});
-    const std::vector<AtomIndex> tangled = tangled_atoms(positions, model.rebo2.graph());
+    const std::vector<AtomIndex> tangled = tangled_atoms(positions, model.rebo2.graph(), model.running.team);
     if (tangled.empty() || attempt == options.untangling_attempts) break;
-    result.untangled = untangle(positions, model.rebo2.graph(), surface, tangled, 3 + 2 * attempt);
-    relax_by_springs(model, surface, positions, options.max_iterations);
+    const std::vector<AtomIndex> untangled =
+        untangle(positions, model.rebo2.graph(), surface, tangled, 3 + 2 * attempt);
+    result.untangled = untangled.size();
+    relax_untangled(model, surface, positions, untangled, options.max_iterations);
   }
 
   std::vector<Vec3> gradient(positions.size(), Vec3::Zero());
-  result.energy = model.rebo2.evaluate(positions, gradient);
+  result.energy = model.rebo2.evaluate(positions, gradient, model.running.team);
   result.max_force = relaxed.max_force;
-  const GeometryCheck check = check_geometry(positions, model.rebo2.graph());
+  const GeometryCheck check = check_geometry(positions, model.rebo2.graph(), model.running.team);
   result.shortest_bond = check.shortest_bond;
   result.longest_bond = check.longest_bond;
   result.closest_unbonded = check.closest_unbonded;
-  for (const Vec3& p : positions)
-    result.mean_distance += surface.distance(p) / static_cast<double>(positions.size());
+  result.mean_distance = mean_distance(surface, positions, model.running.team);
   return result;
 }
 

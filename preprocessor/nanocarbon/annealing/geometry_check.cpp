@@ -8,10 +8,10 @@
 
 namespace nanocarbon::annealing {
 
-GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondGraph& graph) {
+GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondGraph& graph, ThreadTeam* team) {
   GeometryCheck check;
   check.shortest_bond = std::numeric_limits<double>::infinity();
-  const NeighbourList close = neighbours_within(positions, graph.space.cell(), unbonded_search_radius);
+  const NeighbourList close = neighbours_within(positions, graph.space.cell(), unbonded_search_radius, team);
   for (AtomIndex a = 0; a < positions.size(); ++a) {
     const auto& bonded = graph.neighbours[a];
     for (const AtomIndex n : bonded) {

@@ -5,6 +5,7 @@
 
 #include "nanocarbon/annealing/fixed_bond_rebo2.h"
 #include "nanocarbon/core/bond_cutoffs.h"
+#include "nanocarbon/core/thread_team.h"
 
 namespace nanocarbon::annealing {
 
@@ -25,6 +26,7 @@ struct GeometryCheck {
   }
 };
 
-GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondGraph& graph);
+GeometryCheck check_geometry(std::span<const Vec3> positions, const FixedBondGraph& graph,
+                             ThreadTeam* team = nullptr);
 
 }  // namespace nanocarbon::annealing

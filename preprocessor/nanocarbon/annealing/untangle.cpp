@@ -3,27 +3,25 @@
 
 #include <algorithm>
 
-#include "nanocarbon/core/bond_cutoffs.h"
 #include "nanocarbon/core/neighbours_within.h"
 
 namespace nanocarbon::annealing {
 
 namespace {
 
-constexpr double longest_bond = rebo_bond_cutoffs.carbon_carbon.begin;
-constexpr double closest_unbonded = rebo_bond_cutoffs.carbon_carbon.end;
 constexpr int sweeps = 60;
 
 }  // namespace
 
-std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const FixedBondGraph& graph) {
+std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const FixedBondGraph& graph,
+                                     ThreadTeam* team, const SeenBonds& seen) {
   std::vector<AtomIndex> tangled;
-  const NeighbourList close = neighbours_within(positions, graph.space.cell(), closest_unbonded);
+  const NeighbourList close = neighbours_within(positions, graph.space.cell(), seen.closest_unbonded, team);
   for (AtomIndex a = 0; a < positions.size(); ++a) {
     const auto& bonded = graph.neighbours[a];
     bool bad = false;
     for (const AtomIndex n : bonded)
-      bad |= n != no_atom && graph.space.displacement(positions[a], positions[n]).norm() > longest_bond;
+      bad |= n != no_atom && graph.space.displacement(positions[a], positions[n]).norm() > seen.longest;
     for (const Neighbour& n : close.of(a))
       bad |= std::find(bonded.begin(), bonded.end(), n.atom) == bonded.end();
     if (bad) tangled.push_back(a);
@@ -31,8 +29,9 @@ std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const Fixe
   return tangled;
 }
 
-std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph, const TetherSurface& surface,
-                     std::span<const AtomIndex> around, unsigned radius) {
+std::vector<AtomIndex> untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph,
+                                const TetherSurface& surface, std::span<const AtomIndex> around,
+                                unsigned radius) {
   std::vector<AtomIndex> region(around.begin(), around.end());
   std::vector<bool> inside(positions.size(), false);
   for (const AtomIndex a : region) inside[a] = true;
@@ -59,7 +58,7 @@ std::size_t untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph, 
       // Centroids sink into a curved surface.
       if (sweep % 10 == 9) positions[a] = surface.nearest(positions[a]);
     }
-  return region.size();
+  return region;
 }
 
 }  // namespace nanocarbon::annealing

@@ -8,6 +8,7 @@
 #include "nanocarbon/annealing/fixed_bond_model.h"
 #include "nanocarbon/annealing/geometry_check.h"
 #include "nanocarbon/annealing/surface_fit.h"
+#include "nanocarbon/annealing/untangle.h"
 #include "nanocarbon/building/annealing_schedules.h"
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/building/turn_components.h"
@@ -23,6 +24,10 @@ constexpr int mendings = 2;
 // Forces that are left on fixed bonds before the full potential takes over, over those left in the end. It is
 // as safe for the rest of the way and faster; where it was not, once more from nearer.
 constexpr double left_on_fixed_bonds = 50, left_once_mended = 3;
+
+// For large molecules fixed bonds are much faster: nothing is left where the full potential has no other minimum.
+constexpr std::size_t least_large = 2000;
+constexpr double left_of_large = 1;
 
 struct Descent {
   Molecule molecule;
@@ -79,17 +84,25 @@ double move_to_surface(std::vector<Vec3>& positions, std::size_t carbons, Triang
   return 1 / fit.scale;
 }
 
+// Carbon atoms where REBO2 sees other bonds than the molecule's.
+std::vector<AtomIndex> unlike_bonds(const Molecule& molecule) {
+  const Molecule carbon = molecule::carbon_skeleton(molecule);
+  return annealing::tangled_atoms(carbon.positions, annealing::fixed_bond_graph(carbon));
+}
+
 }  // namespace
 
 FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& surface, std::size_t atoms,
                            potential::Potential& potential, const AnnealOptions& options) {
   if (options.progress) options.progress("minimising", 0);
   level.state.network.hydrogen = options.hydrogen;
-  Descent descent = descend(level, surface, left_on_fixed_bonds, potential, options);
+  const bool alike = potential.unbonded_reach() == 0 && level.state.positions.size() >= least_large;
+  Descent descent = descend(level, surface, alike ? left_of_large : left_on_fixed_bonds, potential, options);
   for (int mending = 0; mending < mendings && !descent.end.minimum.intact; ++mending) {
     level.sound = false;
-    annealing::mend_level(level, annealing::TetherSurface(surface, 1), schedule_for(atoms, options));
-    descent = descend(level, surface, left_once_mended, potential, options);
+    annealing::mend_level(level, annealing::TetherSurface(surface, 1), schedule_for(atoms, options),
+                          unlike_bonds(descent.molecule));
+    descent = descend(level, surface, alike ? left_of_large : left_once_mended, potential, options);
   }
   const minimisation::MinimisationResult& minimum = descent.end.minimum;
   FinalMinimum result;
