@@ -129,7 +129,8 @@ def advised(args, code, reason, atoms, options):
     """The number of atoms and the options that a refusal asks for; nothing where it asks for none that are new."""
     larger = re.search(r"--atoms (\d+)", reason)
     if code in TOO_FEW_ATOMS and larger and int(larger.group(1)) > atoms:
-        return int(larger.group(1)), options
+        if int(larger.group(1)) <= args.largest or not args.follow_advice:
+            return int(larger.group(1)), options
     number = r"[0-9.]+(?:e[+-]?[0-9]+)?"
     option = rf"--(?:drop-specks|unite)\b|--(?:wrap|close-holes) {number}(?:,{number})?"
     named = re.search(rf"(?:{option})(?: (?:{option}))*", reason)  # "It can be used with --close-holes 0.1 --unite"

@@ -102,7 +102,7 @@ class Advice(unittest.TestCase):
     """What is made of a refusal's last line."""
 
     def follow(self, reason, code=5, options=()):
-        return measure.advised(types.SimpleNamespace(follow_advice=True), code, reason, 400, list(options))
+        return measure.advised(types.SimpleNamespace(follow_advice=True, largest=40000), code, reason, 400, list(options))
 
     def test_the_options_it_names_are_taken_with_their_values(self):
         for options in (["--unite"], ["--wrap", "0.5"], ["--wrap", "1e+02,25"], ["--close-holes", "0.011", "--unite"]):
@@ -111,6 +111,11 @@ class Advice(unittest.TestCase):
 
     def test_an_option_is_not_given_twice(self):
         self.assertIsNone(self.follow("It can be used with --unite (united)", options=["--unite"]))
+
+    def test_a_size_too_large_to_follow_gives_way_to_an_option(self):
+        reason = "a small hole of 0.31 A (--close-holes 0.019 would close it); the next size is --atoms {}; ask for that"
+        self.assertEqual(self.follow(reason.format(1400), code=6), (1400, []))
+        self.assertEqual(self.follow(reason.format(140000), code=6), (400, ["--close-holes", "0.019"]))
 
     def test_a_size_that_is_only_a_word_is_none(self):
         self.assertIsNone(self.follow("--wrap SIZE puts a closed surface around anything"))
