@@ -114,8 +114,16 @@ void require_room_for_features(const SizedSurface& surface, const BuildOptions& 
       "the mesh needs {:.2f} A",
       surface.atoms, features.problems.size(), name(worst.kind), worst.size, where.x(), where.y(), where.z(),
       worst.needed);
+  double widest_hole = 0;
+  std::size_t holes = 0;
+  for (const features::FeatureProblem& problem : features.problems)
+    if (problem.kind == features::FeatureKind::small_hole) {
+      widest_hole = std::max(widest_hole, problem.size);
+      ++holes;
+    }
   if (worst.kind == features::FeatureKind::small_hole)
-    reason += fmt::format(" (--close-holes {:.3g} would close it)", 1.1 * worst.size / surface.scale);
+    reason += fmt::format(" (--close-holes {:.3g} would close {})", 1.1 * widest_hole / surface.scale,
+                          holes == 1 ? "it" : fmt::format("the {} that are too small", holes));
   throw TooFewAtoms(Failure::size, reason, features);
 }
 
