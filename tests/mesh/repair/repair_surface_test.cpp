@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "nanocarbon/mesh/formats/load_surface.h"
 #include "nanocarbon/mesh/triangulate.h"
 #include "support/refusal.h"
@@ -128,6 +130,30 @@ TEST(Surface, NearlyCoincidentVerticesJoin) {
   EXPECT_THAT(joined.repairs, testing::Contains(HasSubstr(" within ")));
 }
 
+// Of longitudes and latitudes: at the poles and along the seam the places differ by the rounding of sine and cosine.
+TEST(Surface, TheRoundedPolesOfASphereAreJoined) {
+  constexpr int longitudes = 32, latitudes = 16;
+  PolygonSoup sphere;
+  for (int j = 0; j <= latitudes; ++j)
+    for (int i = 0; i <= longitudes; ++i) {
+      const double u = 2 * M_PI * i / longitudes, v = M_PI * j / latitudes;
+      sphere.points.emplace_back(std::sin(v) * std::cos(u), std::sin(v) * std::sin(u), std::cos(v));
+    }
+  for (VertexIndex j = 0; j < latitudes; ++j)
+    for (VertexIndex i = 0; i < longitudes; ++i) {
+      const VertexIndex a = j * (longitudes + 1) + i, b = a + longitudes + 1;
+      for (const VertexIndex v : {a, b, b + 1, a, b + 1, a + 1}) {
+        sphere.corners.push_back(v);
+        if (sphere.corners.size() % 3 == 0) sphere.close_face();
+      }
+    }
+  const RepairedSurface repaired = repair_surface(sphere);
+  EXPECT_TRUE(repaired.diagnosis.usable());
+  EXPECT_TRUE(repaired.diagnosis.topology.closed());
+  EXPECT_EQ(repaired.diagnosis.topology.genus, 0);
+  EXPECT_EQ(repaired.mesh.points.size(), longitudes * (latitudes - 1) + 2u);
+}
+
 TEST(Surface, RubbishThatChangesNothingIsDropped) {
   PolygonSoup soup = soup_of(test::tetrahedron());
   soup.points.insert(soup.points.begin(), Vec3(7, 7, 7));  // in no face
@@ -144,8 +170,8 @@ TEST(Surface, RubbishThatChangesNothingIsDropped) {
   EXPECT_EQ(repaired.mesh.points, test::tetrahedron().points);
   EXPECT_EQ(repaired.mesh.triangles, test::tetrahedron().triangles);
   EXPECT_THAT(repaired.repairs,
-              ElementsAre("repaired or dropped faces that repeat a vertex: 3",
-                          "dropped duplicate faces: 1", "dropped vertices that no face uses: 1"));
+              ElementsAre("repaired or dropped faces that repeat a vertex: 3", "dropped duplicate faces: 1",
+                          "dropped vertices that no face uses: 1"));
 }
 
 TEST(Surface, FacesWithoutAreaAreRemovedByFlips) {
