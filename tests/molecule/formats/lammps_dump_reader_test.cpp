@@ -141,7 +141,8 @@ TEST(LammpsYamlReader, ErrorsNameFileAndLine) {
               HasSubstr("a.yaml:13: expected 5 columns"));
   EXPECT_THAT(error(yaml(columns, one + "---\n")), HasSubstr("a.yaml:13: expected a line - [ ... ]"));
   EXPECT_THAT(error(yaml(columns, one + one, "units: lj\n")), HasSubstr("a.yaml:6: the dump has units lj"));
-  EXPECT_THAT(error(yaml("id, type, x, y, z, ", one)), HasSubstr("as in --types C H"));
+  EXPECT_THAT(error(yaml("id, type, x, y, z, ", "  - [ 1 , 1 , 1 , 1 , 1 , ]\n")),
+              HasSubstr("or --types C H"));
   EXPECT_THAT(error("---\nnatoms: 2\nkeywords: [ x, y, z ]\ndata:\n"), HasSubstr("there is no box"));
 }
 
