@@ -77,5 +77,30 @@ TEST(SurfaceFit, LeavesSymmetriesOfTheSurfaceAlone) {
   EXPECT_NEAR(fit.scale, 1 / 1.02, 1e-3);
 }
 
+TEST(BringBack, FindsMoleculesThatHaveDriftedFarFromTheirSurface) {
+  const TriangleMesh mesh = ellipsoid();
+  std::mt19937 random(7);
+  std::normal_distribution<double> wobble(0, 0.3);
+  const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(3, -1, 2).normalized()).toRotationMatrix();
+  std::vector<Vec3> drifted, shifted, wobbled;
+  for (const Vec3& p : mesh.points) {
+    const Vec3 there = p + Vec3(wobble(random), wobble(random), wobble(random));
+    wobbled.push_back(there);
+    drifted.push_back(turn * there + Vec3(30, -20, 10));
+    shifted.push_back(there + Vec3(30, -20, 10));
+  }
+  drifted.push_back(turn * Vec3(1, 2, 3) + Vec3(30, -20, 10));  // one that follows
+  bring_back(drifted, mesh.points, true);
+  bring_back(shifted, mesh.points, false);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    EXPECT_NEAR((drifted[i] - wobbled[i]).norm(), 0, 0.1);
+    EXPECT_NEAR((shifted[i] - wobbled[i]).norm(), 0, 0.1);
+  }
+  EXPECT_NEAR((drifted.back() - Vec3(1, 2, 3)).norm(), 0, 0.1);
+  const std::vector<Vec3> before = wobbled;
+  bring_back(wobbled, mesh.points, true);
+  EXPECT_EQ(wobbled, before);
+}
+
 }  // namespace
 }  // namespace nanocarbon::annealing

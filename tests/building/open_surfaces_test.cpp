@@ -11,6 +11,7 @@
 #include "nanocarbon/mesh/distance.h"
 #include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/molecule/hydrogens.h"
+#include "nanocarbon/shapes/implicit_shapes.h"
 #include "nanocarbon/shapes/shapes.h"
 #include "nanocarbon/topology/bond_graph.h"
 #include "remeshing/shapes.h"
@@ -120,6 +121,14 @@ TEST(OpenSurfaces, AHemisphereKeepsItsRadius) {
   EXPECT_NEAR(fitted_radius(result.molecule), radius, 0.03 * radius);
   EXPECT_NEAR(result.surface.scale, radius, 0.01 * radius);
   EXPECT_LT(result.likeness->distance(), 1.2);
+}
+
+// From 2,000 atoms on minimisation is preconditioned and lets molecules drift, by 30 Angstrom here: once that was too far
+// for the fit, and atoms lay 4 Angstrom from the surface on average.
+TEST(OpenSurfaces, AMoleculeThatDriftsIsBroughtBack) {
+  const TriangleMesh piece = shapes::make_minimal_surface_piece({.period = 1, .cells = 1, .edge = 0.05});
+  const BuildResult result = built(piece, 2100, Boundary::hydrogen);
+  EXPECT_LT(result.likeness->distance(), 2.2);
 }
 
 TEST(OpenSurfaces, AClosedSurfaceHasNoHydrogen) {

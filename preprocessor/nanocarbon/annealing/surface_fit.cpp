@@ -86,4 +86,19 @@ Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& 
   return best;
 }
 
+void bring_back(std::span<Vec3> positions, std::span<const Vec3> before, bool turn) {
+  constexpr double farther = 1.5, noticed = 0.5;  // Angstrom, the latter
+  const auto n = static_cast<Eigen::Index>(before.size());
+  const Eigen::Map<const Eigen::Matrix3Xd> now(positions.front().data(), 3, n);
+  const Eigen::Map<const Eigen::Matrix3Xd> then(before.front().data(), 3, n);
+  Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
+  if (turn && n > 2)
+    back = Eigen::Isometry3d(Eigen::umeyama(now, then, false));
+  else
+    back.translation() = (then - now).rowwise().mean();
+  const double drifted = (now - then).norm(), left = (back * now - then).norm();
+  if (drifted < farther * left || drifted < noticed * std::sqrt(static_cast<double>(n))) return;
+  for (Vec3& p : positions) p = back * p;
+}
+
 }  // namespace nanocarbon::annealing

@@ -26,4 +26,12 @@ struct Similarity {
 Similarity fit_to_surface(std::span<const Vec3> positions, const TetherSurface& surface, bool with_scale,
                           ThreadTeam* team = nullptr);
 
+//! \brief Moves atoms back as a whole that have drifted while nothing held them, farther than a fit to a surface finds
+//! back: to where the first of them lie closest to where they were (Umeyama 1991, without scale).
+//! \details Only where they were farther than 1.5 times that and than 0.5 Angstrom, in the root mean square: what has hardly
+//! drifted keeps its bits.
+//! \param before of the first atoms, at least one; any that follow move with them
+//! \param turn whether they may be turned, too; not in a cell
+void bring_back(std::span<Vec3> positions, std::span<const Vec3> before, bool turn);
+
 }  // namespace nanocarbon::annealing

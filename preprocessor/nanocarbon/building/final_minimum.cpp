@@ -113,6 +113,8 @@ FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& 
   result.accepted = level.accepted;
   result.rest = resting_state(result.molecule, potential, minimum.energy, minimum.max_force, minimum.intact);
   const auto timed = options.running.stage("fitting");
+  for (Vec3& p : level.state.positions) p = result.deformation * p;
+  annealing::bring_back(result.molecule.positions, level.state.positions, !result.molecule.cell);
   result.growth = move_to_surface(result.molecule.positions, result.network.atoms.size(), surface,
                                   result.deformation, options.keep_size, options.running.team);
   return result;
