@@ -23,7 +23,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
  evaluates REBO2, and lmp-nanocarbon, a LAMMPS that loads it.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libnanocarbon-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, libmuparser-dev, libnanoflann-dev, libopenmesh-dev, nlohmann-json3-dev, zlib1g-dev")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, libmuparser-dev, libnanoflann-dev, libopenmesh-dev, libpugixml-dev, nlohmann-json3-dev, zlib1g-dev")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
 "The library of nanocarbon: headers, static libraries and a CMake package,
  found by find_package(nanocarbon COMPONENTS ...).")

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "nanocarbon/mesh/formats/byte_order.h"
+#include "nanocarbon/mesh/parsing/byte_order.h"
 #include "nanocarbon/mesh/formats/read_mesh.h"
 #include "support/refusal.h"
 

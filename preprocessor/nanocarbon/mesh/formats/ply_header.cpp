@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "nanocarbon/mesh/formats/text_scanner.h"
+#include "nanocarbon/mesh/parsing/text_scanner.h"
 
 namespace nanocarbon::mesh {
 namespace {

@@ -19,7 +19,7 @@
 #include "nanocarbon/mesh/formats/read_off.h"
 #include "nanocarbon/mesh/formats/read_ply.h"
 #include "nanocarbon/mesh/formats/read_stl.h"
-#include "nanocarbon/mesh/formats/text_scanner.h"
+#include "nanocarbon/mesh/parsing/text_scanner.h"
 
 namespace nanocarbon::mesh {
 namespace {

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <map>
 
-#include "nanocarbon/mesh/formats/text_scanner.h"
+#include "nanocarbon/mesh/parsing/text_scanner.h"
 
 namespace nanocarbon::mesh {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/text_numbers.h"
-#include "nanocarbon/mesh/formats/text_scanner.h"
+#include "nanocarbon/mesh/parsing/text_scanner.h"
 
 namespace nanocarbon::mesh {
 namespace {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/mesh/formats/byte_order.h"
 #include "nanocarbon/mesh/formats/ply_header.h"
-#include "nanocarbon/mesh/formats/text_scanner.h"
+#include "nanocarbon/mesh/parsing/byte_order.h"
+#include "nanocarbon/mesh/parsing/text_scanner.h"
 
 namespace nanocarbon::mesh {
 namespace {

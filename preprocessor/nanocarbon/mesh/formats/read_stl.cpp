@@ -9,9 +9,9 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/edge_table.h"
-#include "nanocarbon/mesh/formats/byte_order.h"
-#include "nanocarbon/mesh/formats/text_scanner.h"
 #include "nanocarbon/mesh/join_points.h"
+#include "nanocarbon/mesh/parsing/byte_order.h"
+#include "nanocarbon/mesh/parsing/text_scanner.h"
 
 namespace nanocarbon::mesh {
 namespace {

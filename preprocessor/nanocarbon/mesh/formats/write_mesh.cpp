@@ -12,10 +12,10 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/output_file.h"
 #include "nanocarbon/mesh/edge_table.h"
-#include "nanocarbon/mesh/formats/byte_order.h"
 #include "nanocarbon/mesh/formats/cell_comment.h"
 #include "nanocarbon/mesh/formats/mesh_format.h"
 #include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/parsing/byte_order.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
 
 namespace nanocarbon::mesh {

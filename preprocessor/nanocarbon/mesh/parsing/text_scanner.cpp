@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "nanocarbon/mesh/formats/text_scanner.h"
+#include "nanocarbon/mesh/parsing/text_scanner.h"
 
 #include <fmt/format.h>
 
