@@ -26,6 +26,8 @@ struct PolygonSoup {
   std::vector<VertexIndex> corners;
   std::vector<std::string> notes;  //!< what the reader passed over or joined, for the user
   std::optional<Cell> cell = {};   //!< that the file says the mesh repeats itself in
+  bool is_isosurface = false;      //!< of a scalar field in the file, which has no mesh
+  std::string unit = {};           //!< of lengths, where the file has one, as it calls it: "metre"
 
   std::size_t faces() const { return offsets.size() - 1; }
   std::span<const VertexIndex> face(std::size_t i) const {
