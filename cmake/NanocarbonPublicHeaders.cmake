@@ -32,6 +32,7 @@ set(NANOCARBON_PUBLIC_HEADERS
   mesh/formats/mesh_format.h
   mesh/formats/read_mesh.h
   mesh/formats/write_mesh.h
+  mesh/grids/field_request.h
   mesh/measures.h
   mesh/mesh_topology.h
   mesh/nearest_point.h
