@@ -206,7 +206,9 @@ void add_build(CLI::App& app) {
   const auto command = std::make_shared<BuildCommand>();
   BuildCommand& c = *command;
 
-  sub.add_option("MESH", c.mesh, "Triangle or polygon mesh: OFF, OBJ, PLY or STL, text or binary")
+  sub.add_option("MESH", c.mesh,
+                 "Triangle or polygon mesh (OFF, OBJ, PLY, STL, glTF, 3MF, VTK, MSH), or a scalar field with "
+                 "--level (cube, MRC, VTI)")
       ->required();
   sub.add_option("-o,--output", c.data, "LAMMPS data file to write")->required()->type_name("FILE");
   add_build_options(sub, c);

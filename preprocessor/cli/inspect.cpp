@@ -147,6 +147,7 @@ Json to_json(const std::string& file, const Inspection& inspection) {
                  {"coefficient_of_variation", d.edges.coefficient_of_variation()}}},
                {"area", d.area},
                {"volume", d.volume ? Json(*d.volume) : Json()},
+               {"unit", surface.unit.empty() ? Json() : Json(surface.unit)},
                {"bounding_box", {{"low", vector_json(d.box.low)}, {"high", vector_json(d.box.high)}}}};
   Json components = Json::array();
   for (const mesh::MeshComponent& p : t.component)
@@ -188,7 +189,9 @@ void print_text(const std::string& file, const Inspection& inspection) {
                                    d.edges.max, d.edges.mean, d.edges.coefficient_of_variation()));
   if (!d.box.empty()) {
     const Vec3 extent = d.box.extent();
-    line("bounding box", fmt::format("{:.6g} x {:.6g} x {:.6g}", extent.x(), extent.y(), extent.z()));
+    line("bounding box",
+         fmt::format("{:.6g} x {:.6g} x {:.6g}", extent.x(), extent.y(), extent.z()) +
+             (surface.unit.empty() ? "" : fmt::format(" (unit of the file: {})", surface.unit)));
   }
   line("area", fmt::format("{:.6g}", d.area) + (d.volume ? fmt::format(", volume {:.6g}", *d.volume) : ""));
   if (const std::size_t specks = specks_of(surface))
@@ -254,7 +257,10 @@ void add_inspect(CLI::App& app) {
   CLI::App& sub = *app.add_subcommand(
       "inspect", "Describe a mesh as it is once repaired, with every reason why it cannot be used");
   const auto command = std::make_shared<InspectCommand>();
-  sub.add_option("MESH", command->mesh, "Mesh file: OFF, OBJ, PLY or STL, text or binary")->required();
+  sub.add_option("MESH", command->mesh,
+                 "Mesh file (OFF, OBJ, PLY, STL, glTF, 3MF, VTK, MSH), or a scalar field with --level (cube, "
+                 "MRC, VTI)")
+      ->required();
   sub.add_flag("--json", command->json, "Print JSON");
   sub.add_option("--write", command->write,
                  "Also write the mesh as build would use it, as OFF, OBJ, PLY or STL; nothing where it "
@@ -269,7 +275,8 @@ Examples:
   nanocarbon inspect scan.ply
   nanocarbon inspect part.stl --json
   nanocarbon inspect soup.stl --wrap 0.5 --write closed.ply
-  nanocarbon inspect gyroid.stl --cell 10,10,10)");
+  nanocarbon inspect gyroid.stl --cell 10,10,10
+  nanocarbon inspect density.cube --level 0.02 --periodic xyz)");
   sub.callback([command] { run(*command); });
 }
 

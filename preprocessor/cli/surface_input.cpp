@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "nanocarbon/core/error.h"
@@ -57,9 +58,33 @@ mesh::PolygonSoup united(mesh::PolygonSoup soup, double close_holes) {
   return solid_soup(united.mesh, std::move(repaired.repairs), describe(united));
 }
 
+void add_field_options(CLI::App& group, mesh::FieldRequest& field) {
+  group
+      .add_option(
+          "--level", field.level,
+          "Where the file has a scalar field (cube, MRC, VTI) instead of a mesh: its value on the surface")
+      ->type_name("VALUE");
+  group.add_option("--field", field.array, "Which field, by name, where the file has several")
+      ->type_name("NAME");
+  const std::map<std::string, mesh::FieldEdge> edges = {{"closed", mesh::FieldEdge::closed},
+                                                        {"above", mesh::FieldEdge::above},
+                                                        {"below", mesh::FieldEdge::below},
+                                                        {"open", mesh::FieldEdge::open}};
+  group
+      .add_option_function<std::string>(
+          "--field-edge", [&field, edges](const std::string& name) { field.edge = edges.at(name); },
+          "How that surface ends at the edges of the field that are not --periodic: around what is above the "
+          "level, or, where all that is at the edges is above, around what is below (closed, default); "
+          "around "
+          "what is above or below in any case (above, below); with a boundary (open)")
+      ->check(CLI::IsMember(edges))
+      ->type_name("NAME");
+}
+
 }  // namespace
 
 void add_surface_options(CLI::App& group, SurfaceOptions& o) {
+  add_field_options(group, o.field);
   CLI::Option* holes = group
                            .add_option("--close-holes", o.close_holes,
                                        "Close boundary loops with a radius below this, mesh units")
@@ -79,7 +104,7 @@ void add_surface_options(CLI::App& group, SurfaceOptions& o) {
 
 SurfaceInput read_surface(const std::filesystem::path& path, const SurfaceOptions& options,
                           const mesh::CellRequest& cell) {
-  SurfaceInput input{mesh::read_mesh(path)};
+  SurfaceInput input{mesh::read_mesh(path, mesh::field_in_cell(options.field, cell))};
   input.vertices_read = input.soup.points.size();
   input.faces_read = input.soup.faces();
   if (!options.wrap && !options.unite) return input;

@@ -17,9 +17,10 @@ struct SurfaceOptions {
   std::optional<mesh::WrapSize> wrap;
   bool unite = false;
   double close_holes = 0.0;  //!< mesh units
+  mesh::FieldRequest field;  //!< where the file has a scalar field; periodic as the cell's options say
 };
 
-//! Adds --wrap, --unite and --close-holes. \p options must outlive the app.
+//! Adds --level, --field, --field-edge, --wrap, --unite and --close-holes. \p options must outlive the app.
 void add_surface_options(CLI::App& group, SurfaceOptions& options);
 
 //! A mesh as read and, if so asked, made solid.

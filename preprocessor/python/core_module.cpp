@@ -89,6 +89,14 @@ building::Boundary boundary_named(const std::string& name) {
   throw py::value_error("there is no boundary '" + name + "'; there are hydrogen and bare");
 }
 
+mesh::FieldEdge field_edge_named(const std::string& name) {
+  if (name == "closed") return mesh::FieldEdge::closed;
+  if (name == "above") return mesh::FieldEdge::above;
+  if (name == "below") return mesh::FieldEdge::below;
+  if (name == "open") return mesh::FieldEdge::open;
+  throw py::value_error("there is no field_edge '" + name + "'; there are closed, above, below and open");
+}
+
 building::PotentialChoice choice_named(const std::string& name) {
   potential_named(name);
   if (name == "airebo") return building::PotentialChoice::airebo;
@@ -237,12 +245,17 @@ PYBIND11_MODULE(_core, module) {
 
   module.def(
       "read_mesh",
-      [](const std::filesystem::path& path) {
+      [](const std::filesystem::path& path, std::optional<double> level, const std::string& field,
+         const std::string& field_edge, std::optional<std::array<bool, 3>> periodic) {
+        mesh::LoadOptions options;
+        options.field = {.level = level, .array = field, .edge = field_edge_named(field_edge)};
+        options.cell.periodic = periodic;
         py::gil_scoped_release release;
-        mesh::LoadedSurface loaded = mesh::load_surface(path);
+        mesh::LoadedSurface loaded = mesh::load_surface(path, options);
         return Mesh{std::move(loaded.mesh), std::move(loaded.repairs), std::move(loaded.warnings)};
       },
-      py::arg("path"));
+      py::arg("path"), py::kw_only(), py::arg("level") = py::none(), py::arg("field") = "",
+      py::arg("field_edge") = "closed", py::arg("periodic") = py::none());
 
   py::class_<Molecule>(module, "Molecule", "Atoms, bonds and rings.")
       .def(py::init(&molecule_from), py::arg("positions"), py::arg("numbers"), py::arg("cell") = py::none(),

@@ -13,6 +13,7 @@
 #include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/triangulate.h"
 #include "nanocarbon/shapes/shapes.h"
+#include "support/grid_files.h"
 #include "support/program_test.h"
 #include "support/small_meshes.h"
 
@@ -42,6 +43,40 @@ TEST_F(Inspect, NamesEveryReasonAgainstAMesh) {
   EXPECT_EQ(json["usable"], false);
   ASSERT_FALSE(json["reasons"].empty());
   EXPECT_EQ(json["reasons"][0]["problem"], "non_manifold_edge");
+}
+
+// A ball in a cube file: without a level its values are told, with one it is a mesh like any other.
+TEST_F(Inspect, AFieldIsAMeshAtALevel) {
+  const std::string field =
+      file("ball.cube",
+           test::cube_text({{13, 13, 13}, Vec3::Constant(-3), 0.5 * Mat3::Identity(), [](const Vec3& x) {
+                              return 10 - x.norm();
+                            }}));
+  const Outcome asked = run("inspect " + field);
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.err, HasSubstr("--level: they are between"));
+  const auto json = nlohmann::json::parse(run("inspect --json --level 8 " + field).out);
+  EXPECT_EQ(json["genus"], 0);
+  EXPECT_EQ(json["unit"], "Bohr");
+  EXPECT_THAT(run("inspect --level 8 " + field).out, HasSubstr("(unit of the file: Bohr)"));
+  EXPECT_EQ(run("inspect --level 8 --field-edge sideways " + field).exit_code, 2);
+  EXPECT_EQ(run("inspect --level 8 " + octahedron()).exit_code, 2);
+  EXPECT_EQ(
+      run("build --quiet --quality draft --level 8 " + field + " --atoms 300 -o " + path("a.data")).exit_code,
+      0);
+}
+
+// A surface that the field's cell cuts is sewn again by build.
+TEST_F(Inspect, APeriodicFieldHasItsGenusInTheCell) {
+  const double step = 2 * M_PI / 12;
+  const std::string field =
+      file("p.vti", test::vti_text({{12, 12, 12}, Vec3::Zero(), step * Mat3::Identity(), [](const Vec3& x) {
+                                      return std::cos(x.x()) + std::cos(x.y()) + std::cos(x.z());
+                                    }}));
+  const Outcome outcome = run("inspect --level 0 --periodic xyz " + field);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("genus 3"));
+  EXPECT_THAT(outcome.out, HasSubstr("6.28319 x 6.28319 x 6.28319"));
 }
 
 // The square of each side with vertices of its own, as programs write boxes with textures or flat normals.

@@ -86,7 +86,9 @@ std::string broken_with_cell(const mesh::PolygonSoup& soup) {
 
 std::string broken_promise(std::string_view contents, const std::string& file, Depth depth) {
   try {
-    const mesh::PolygonSoup soup = mesh::parse_mesh(contents, file);
+    mesh::FieldRequest field;
+    if (file.ends_with(".cube") || file.ends_with(".mrc") || file.ends_with(".vti")) field.level = 0.5;
+    const mesh::PolygonSoup soup = mesh::parse_mesh(contents, file, field);
     const std::string broken = broken_by_soup(soup);
     if (!broken.empty() || depth == Depth::reading) return broken;
     return broken_with_cell(soup);

@@ -25,9 +25,9 @@ endfunction()
 
 find_package(ZLIB REQUIRED)
 add_custom_target(fuzzers)
-foreach(format off obj ply stl)
+foreach(format off obj ply stl glb gltf 3mf vtk vtp vtu vti msh cube mrc)
   nanocarbon_fuzzer(mesh_${format} SOURCES mesh_fuzzer.cpp check_mesh.cpp DEFINES FUZZED_FILE="a.${format}"
-                    ROOMS core mesh mesh_repair mesh_formats)
+                    ROOMS core mesh mesh_repair mesh_parsing mesh_scenes mesh_grids shapes mesh_formats)
 endforeach()
 foreach(format data dump yaml xyz cif poscar)
   nanocarbon_fuzzer(molecule_${format} SOURCES molecule_fuzzer.cpp check_molecule.cpp DEFINES FUZZED_FILE="a.${format}"
@@ -41,8 +41,9 @@ foreach(potential rebo airebo airebo_m)
                     ROOMS core rebo2 airebo)
 endforeach()
 
-add_executable(write_seeds write_seeds.cpp mesh_seeds.cpp molecule_seeds.cpp)
+add_executable(write_seeds write_seeds.cpp mesh_seeds.cpp molecule_seeds.cpp ../support/grid_files.cpp
+               ../support/scene_files.cpp)
 target_include_directories(write_seeds PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(write_seeds PRIVATE nanocarbon_settings nanocarbon::mesh_formats)
+target_link_libraries(write_seeds PRIVATE nanocarbon_settings nanocarbon::mesh_formats fmt::fmt)
 target_link_options(write_seeds PRIVATE -fsanitize=fuzzer-no-link,address,undefined)
 add_dependencies(fuzzers write_seeds)

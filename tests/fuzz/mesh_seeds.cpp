@@ -1,14 +1,58 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fuzz/seeds.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "nanocarbon/mesh/formats/mesh_colours.h"
 #include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/triangulate.h"
+#include "support/grid_files.h"
+#include "support/scene_files.h"
 #include "support/small_meshes.h"
 
 namespace nanocarbon::test {
+namespace {
+
+std::string contents_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void add_scenes_and_grids(std::vector<Seed>& seeds) {
+  const TriangleMesh mesh = tetrahedron();
+  seeds.push_back({"a.glb", glb(mesh)});
+  seeds.push_back({"a.gltf", gltf_json(mesh, "\"data:;base64," + base64(gltf_buffer(mesh)) + "\"",
+                                       R"("scene": 0, "scenes": [{"nodes": [1]}], "nodes": [
+    {"mesh": 0, "rotation": [0, 0, 0.6, 0.8], "scale": [1, -2, 1]}, {"children": [0], "translation": [1, 2, 3]}])")});
+  seeds.push_back({"a.3mf", file_3mf(mesh)});
+  seeds.push_back({"b.3mf", file_3mf("<object id=\"1\">" + mesh_3mf(mesh) +
+                                         "</object><object id=\"2\"><components><component objectid=\"1\" "
+                                         "transform=\"1 0 0 0 1 0 0 0 1 9 0 0\"/></components></object>",
+                                     "<item objectid=\"2\"/><item objectid=\"1\"/>", "inch")});
+  seeds.push_back({"a.vtk", vtk_text(mesh)});
+  seeds.push_back({"a.vtp", vtp_text(mesh)});
+  seeds.push_back({"a.msh", msh_text(mesh)});
+  const SampledField field = {{4, 3, 5}, Vec3(-1, 0, 2), 0.5 * Mat3::Identity(), [](const Vec3& x) {
+                                return x.x() + x.y() * x.z() - 2;
+                              }};
+  seeds.push_back({"a.cube", cube_text(field)});
+  seeds.push_back({"a.mrc", mrc_bytes(field)});
+  seeds.push_back({"b.mrc", mrc_bytes(field, true, {2, 3, 1})});
+  seeds.push_back({"a.vti", vti_text(field)});
+  seeds.push_back({"b.vtk", structured_points_text(field)});
+  // What other programs wrote: packed, in base64, raw, in blocks, of either byte order.
+  const auto folder = std::filesystem::path(__FILE__).parent_path().parent_path() / "mesh/grids/files";
+  for (const char* name :
+       {"octahedron_a.msh", "octahedron_c.msh", "octahedron_a.vtk", "octahedron_a.vtu", "octahedron_c.vtu",
+        "octahedron_vtk_raw_blocks.vtp", "octahedron_vtk_raw_unpacked_big.vtp", "octahedron_vtk_base64.vtp",
+        "octahedron_vtk_42.vtk", "octahedron_vtk_strips.vtk", "hex_a.vtu", "tet_22.msh"})
+    seeds.push_back({name, contents_of(folder / name)});
+}
+
+}  // namespace
 
 std::vector<Seed> mesh_seeds() {
   const TriangleMesh box = mesh::triangulate(cube(Vec3(0.25, -1, 3))).mesh;
@@ -60,6 +104,7 @@ std::vector<Seed> mesh_seeds() {
                     "element vertex 8\nproperty double x\nproperty double y\nproperty double z\n"
                     "element face 4\nproperty list uchar int vertex_index\nend_header\n" +
                         ring + "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"});
+  add_scenes_and_grids(result);
   return result;
 }
 

@@ -12,7 +12,8 @@ set -euo pipefail
 [[ ${1:-} =~ ^[0-9]+$ ]] || { sed -n '3,11s/^# \?//p' "$0"; exit 2; }
 runs=$1
 shift
-all="mesh_off mesh_obj mesh_ply mesh_stl molecule_data molecule_dump molecule_yaml molecule_xyz molecule_cif molecule_poscar molecule_packed
+all="mesh_off mesh_obj mesh_ply mesh_stl mesh_glb mesh_gltf mesh_3mf mesh_vtk mesh_vtp mesh_vtu mesh_vti mesh_msh mesh_cube mesh_mrc
+  molecule_data molecule_dump molecule_yaml molecule_xyz molecule_cif molecule_poscar molecule_packed
   types potential_rebo potential_airebo potential_airebo_m"
 fuzzers=${*:-$all}
 cd "$(dirname "$0")/../.."

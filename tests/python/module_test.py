@@ -16,6 +16,7 @@ import unittest
 
 import ase
 import ase.build
+import ase.io.cube
 import ase.neighborlist
 import numpy as np
 from ase.optimize import BFGS
@@ -185,6 +186,21 @@ class Building(unittest.TestCase):
             self.assertEqual(built.report["molecule"]["genus"], 1)
             built.molecule.write(pathlib.Path(folder) / "torus.data")
             self.assertAlmostEqual(len(built.molecule), 300, delta=30)
+
+    def test_a_field_that_ase_wrote_is_a_surface(self):
+        grid = np.mgrid[0:20, 0:20, 0:20] * 2 * np.pi / 20
+        atoms = ase.Atoms(cell=[8.0] * 3, pbc=True)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "p.cube"
+            with open(path, "w") as file:
+                ase.io.cube.write_cube(file, atoms, np.cos(grid).sum(axis=0))
+            with self.assertRaisesRegex(nc.NanocarbonError, "between -3 and 3"):
+                nc.read_mesh(path)
+            mesh = nc.read_mesh(path, level=0.0, periodic=(True, True, True))
+        # Schwarz's P surface, whose cell ASE writes in Bohr.
+        edges = len(mesh.triangles) * 3 // 2
+        self.assertEqual(len(mesh.points) - edges + len(mesh.triangles), -4)  # genus 3
+        self.assertTrue((mesh.points.max(axis=0) - mesh.points.min(axis=0) < 8.0 / 0.529177).all())
 
     def test_what_cannot_be_is_said(self):
         with self.assertRaisesRegex(nc.NanocarbonError, "nowhere.off"):

@@ -26,7 +26,7 @@ from measure import STYLES, row_of
 from table import write_tables
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-MESH_ENDINGS = {".off", ".obj", ".ply", ".stl"}
+MESH_ENDINGS = {".off", ".obj", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".vtk", ".vtp", ".vtu", ".msh"}
 
 
 def arguments():

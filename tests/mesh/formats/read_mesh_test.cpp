@@ -9,6 +9,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/formats/load_surface.h"
+#include "nanocarbon/mesh/parsing/base64.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -58,7 +59,7 @@ TEST_F(ReadMesh, AForbiddenFileIsSaidSo) {
 
 TEST_F(ReadMesh, WhatIsNoMeshIsSaidSo) {
   EXPECT_THAT(malformed(file("a.off", "")), HasSubstr("a.off: the file is empty"));
-  EXPECT_THAT(malformed(file("a.txt", "hello\n")), HasSubstr("is not an OFF, OBJ, PLY or STL file"));
+  EXPECT_THAT(malformed(file("a.txt", "hello\n")), HasSubstr("none of the formats that are read"));
   EXPECT_THAT(malformed(file("a.off", "hello\n")), HasSubstr("a.off:1: "));
   EXPECT_THAT(malformed(file("a.ply", "hello\n")), HasSubstr("a.ply:1: a PLY file must begin with 'ply'"));
   EXPECT_THAT(malformed(file("a.obj", "hello\n")), HasSubstr("no vertices"));
@@ -67,12 +68,24 @@ TEST_F(ReadMesh, WhatIsNoMeshIsSaidSo) {
               HasSubstr("UTF-16; save it as UTF-8"));
   EXPECT_THAT(malformed(file("a.obj", std::string("v\0 \0001\0 \0", 8))), HasSubstr("UTF-16"));
   EXPECT_THAT(malformed(file("a.off", std::string("\0O\0F\0F\0\n", 8))), HasSubstr("UTF-16"));
-  EXPECT_THAT(malformed(file("a.stl", "PK\x03\x04")), HasSubstr("ZIP archive"));
+  EXPECT_THAT(malformed(file("a.stl", "PK\x03\x04")), HasSubstr("ZIP archive, but no 3MF file"));
   for (const char* name : {"a.off", "a.obj", "a.ply", "a.stl"}) {
     EXPECT_THAT(malformed(file(name, "version https://git-lfs.github.com/spec/v1\noid sha256:4d\nsize 9\n")),
                 HasSubstr("git lfs pull"));
     EXPECT_THAT(malformed(file(name, "\n<!DOCTYPE html>\n<html></html>\n")), HasSubstr("web page"));
   }
+}
+
+// gzip of `off`, and the same in two members one after the other.
+TEST_F(ReadMesh, FilesPackedByGzipAreRead) {
+  const std::string whole = *from_base64("H4sIAAAAAAACA/N3c+MyVjBUMOAy0DNVMADShmDSACxmrACijbgAKgY2ZCYAAAA=");
+  EXPECT_EQ(read_mesh(file("a.off.gz", whole)).points[0].x(), 0.5);
+  EXPECT_EQ(read_mesh(file("a.off", whole)).points[0].x(), 0.5);
+  const std::string halves = *from_base64("H4sIAAAAAAACA/N3c+MyVjBUMOAy0AMAfhBhNQwAAAA=") +
+                             *from_base64("H4sIAAAAAAACAzNVMFAw4DIEkwYKQJrLWAFEG3EBANj9HHYaAAAA");
+  EXPECT_EQ(read_mesh(file("a", halves)).faces(), 1u);
+  EXPECT_THAT(malformed(file("a.off.gz", whole.substr(0, whole.size() - 9))),
+              HasSubstr("damaged, cut short"));
 }
 
 // A locale with a decimal comma, as German and French have it, whichever are installed.

@@ -12,6 +12,8 @@
 #include "nanocarbon/mesh/formats/load_surface.h"
 #include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/mesh/triangulate.h"
+#include "support/grid_files.h"
+#include "support/scene_files.h"
 #include "support/small_meshes.h"
 #include "support/temporary_folder.h"
 
@@ -152,6 +154,23 @@ std::vector<std::array<Place, 3>> places_of(const TriangleMesh& mesh) {
   return places;
 }
 
+//! By the program where it writes the format, else from its specification.
+void write(const test::TemporaryFolder& folder, const std::string& file, const TriangleMesh& mesh,
+           bool text) {
+  if (file.ends_with(".glb"))
+    folder.file(file, test::glb(mesh));
+  else if (file.ends_with(".3mf"))
+    folder.file(file, test::file_3mf(mesh));
+  else if (file.ends_with(".vtk"))
+    folder.file(file, test::vtk_text(mesh));
+  else if (file.ends_with(".vtp"))
+    folder.file(file, test::vtp_text(mesh));
+  else if (file.ends_with(".msh"))
+    folder.file(file, test::msh_text(mesh));
+  else
+    write_mesh(folder / file, mesh, {.text = text});
+}
+
 TEST(SameInEveryFormat, ASurfaceIsTheSameMesh) {
   const test::TemporaryFolder folder;
   for (const Shape& shape : shapes()) {
@@ -162,9 +181,14 @@ TEST(SameInEveryFormat, ASurfaceIsTheSameMesh) {
                                                                               {"a.ply", true},
                                                                               {"b.ply", false},
                                                                               {"a.stl", true},
-                                                                              {"b.stl", false}}) {
+                                                                              {"b.stl", false},
+                                                                              {"a.glb", false},
+                                                                              {"a.3mf", true},
+                                                                              {"a.vtk", true},
+                                                                              {"a.vtp", true},
+                                                                              {"a.msh", true}}) {
       SCOPED_TRACE(file);
-      write_mesh(folder / file, shape.mesh, {.text = text});
+      write(folder, file, shape.mesh, text);
       const LoadedSurface surface = examine_surface(folder / file);
       EXPECT_EQ(surface.diagnosis.usable(), shape.usable);
       if (shape.usable) {

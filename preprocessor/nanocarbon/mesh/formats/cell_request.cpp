@@ -40,6 +40,14 @@ void require_usable(const Cell& cell) {
 
 }  // namespace
 
+FieldRequest field_in_cell(FieldRequest field, const CellRequest& request) {
+  if (request.periodic)
+    field.periodic = *request.periodic;
+  else if (request.vectors)
+    field.periodic = {true, true, true};
+  return field;
+}
+
 std::optional<Cell> requested_cell(const CellRequest& request, const PolygonSoup& soup) {
   std::array<bool, 3> periodic = {false, false, false};
   if (request.periodic)

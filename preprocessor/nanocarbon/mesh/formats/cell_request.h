@@ -7,6 +7,7 @@
 
 #include "nanocarbon/core/cell.h"
 #include "nanocarbon/mesh/diagnosis.h"
+#include "nanocarbon/mesh/grids/field_request.h"
 #include "nanocarbon/mesh/polygon_soup.h"
 
 namespace nanocarbon::mesh {
@@ -19,6 +20,9 @@ struct CellRequest {
   std::array<int, 3> cells = {1, 1, 1};  //!< that many as one
   double match = 1e-3;  //!< mean edges within which boundary vertices are images of each other
 };
+
+//! What is asked of a field that is in a cell: periodic where that is asked to be.
+FieldRequest field_in_cell(FieldRequest field, const CellRequest& request);
 
 //! \brief The cell that a mesh is in: that of the request, of the file, or around the mesh.
 //! \details A cell that is given begins at the mesh's low corner, in the cell's coordinates.

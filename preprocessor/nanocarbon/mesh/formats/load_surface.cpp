@@ -47,6 +47,7 @@ LoadedSurface examine(PolygonSoup soup, const std::filesystem::path& path, const
   LoadedSurface surface;
   surface.vertices_read = soup.points.size();
   surface.faces_read = soup.faces();
+  surface.unit = soup.unit;
   surface.cell = naming_file(path, [&] { return requested_cell(request, soup); });
   // A mesh that is cut at its cell has loops there that are no holes: they are closed once it is sewn.
   RepairedSurface repaired = repair_surface(std::move(soup), surface.cell ? 0.0 : close_holes);
@@ -72,7 +73,7 @@ LoadedSurface examine_surface(PolygonSoup soup, const std::filesystem::path& pat
 }
 
 LoadedSurface load_surface(const std::filesystem::path& path, const LoadOptions& options) {
-  return load_surface(read_mesh(path), path, options);
+  return load_surface(read_mesh(path, field_in_cell(options.field, options.cell)), path, options);
 }
 
 LoadedSurface load_surface(PolygonSoup soup, const std::filesystem::path& path, const LoadOptions& options) {

@@ -25,12 +25,15 @@ struct LoadedSurface {
   std::size_t vertices_read = 0;  //!< of the file as it is
   std::size_t faces_read = 0;
   std::optional<Cell> cell = {};  //!< that the request or the file says the mesh is in
+  std::string unit = {};          //!< of the mesh's lengths, where the file has one
 };
 
 struct LoadOptions {
   bool repair = true;        //!< false: a mesh that needs repairs is refused, with what they are
   double close_holes = 0.0;  //!< radius below which boundary loops are closed, mesh units
   CellRequest cell = {};     //!< the periodic cell that the surface is in
+  FieldRequest field =
+      {};  //!< the surface, where the file has a scalar field; periodic as the cell is asked to be
 };
 
 //! \brief Reads a mesh file and repairs what can be mended; what cannot is in the diagnosis, and the mesh is

@@ -6,14 +6,15 @@
 
 namespace nanocarbon::mesh {
 
-//! The formats a mesh is read from and written to.
-enum class MeshFormat { off, obj, ply, stl };
+//! The formats that a mesh is read from. It is written to the first four.
+enum class MeshFormat { off, obj, ply, stl, gltf, three_mf, vtk, vtk_xml, msh, cube, mrc };
 
-//! The format that a path's extension names, in upper or lower case, or nothing.
+//! The format that a path's extension names, in upper or lower case, that of a packed file without its ".gz"; or
+//! nothing.
 std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path);
 
 //! The same for a file that is to be written.
-//! \throw UserError (usage) where the extension names none
+//! \throw UserError (usage) where the extension names none that is written
 MeshFormat format_to_write(const std::filesystem::path& path);
 
 }  // namespace nanocarbon::mesh

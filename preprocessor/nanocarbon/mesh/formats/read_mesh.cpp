@@ -19,7 +19,16 @@
 #include "nanocarbon/mesh/formats/read_off.h"
 #include "nanocarbon/mesh/formats/read_ply.h"
 #include "nanocarbon/mesh/formats/read_stl.h"
-#include "nanocarbon/mesh/parsing/text_scanner.h"
+#include "nanocarbon/mesh/formats/recognise_format.h"
+#include "nanocarbon/mesh/grids/isosurface.h"
+#include "nanocarbon/mesh/grids/read_cube.h"
+#include "nanocarbon/mesh/grids/read_mrc.h"
+#include "nanocarbon/mesh/grids/read_msh.h"
+#include "nanocarbon/mesh/grids/read_vtk.h"
+#include "nanocarbon/mesh/grids/read_vtk_xml.h"
+#include "nanocarbon/mesh/parsing/inflate.h"
+#include "nanocarbon/mesh/scenes/read_3mf.h"
+#include "nanocarbon/mesh/scenes/read_gltf.h"
 
 namespace nanocarbon::mesh {
 namespace {
@@ -58,23 +67,14 @@ std::string file_contents(const std::filesystem::path& path) {
   return contents;
 }
 
-bool begins_like_obj(std::string_view line) {
-  constexpr std::array keywords = {"v", "vt", "vn", "f", "g", "o", "s", "mtllib", "usemtl"};
-  const std::string_view word = line.substr(0, line.find_first_of(" \t\r"));
-  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+bool holds_cell_comments(MeshFormat format) {
+  return format == MeshFormat::off || format == MeshFormat::obj || format == MeshFormat::ply;
 }
 
-bool is_utf16(std::string_view contents) {
-  if (contents.starts_with("\xFF\xFE") || contents.starts_with("\xFE\xFF")) return true;
-  if (contents.size() < 8) return false;
-  const auto is_text = [](char c) { return (c >= 32 && c < 127) || c == '\n' || c == '\r' || c == '\t'; };
-  for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
-    bool all = true;
-    for (std::size_t i = 0; i < 8; i += 2)
-      all = all && is_text(contents[i + first]) && contents[i + 1 - first] == '\0';
-    if (all) return true;
-  }
-  return false;
+// A file of VTK holds one or the other.
+PolygonSoup surface_of(const GridContents& contents, const FieldRequest& field, const std::string& file) {
+  if (const auto* soup = std::get_if<PolygonSoup>(&contents)) return *soup;
+  return isosurface(std::get<ScalarField>(contents), field, file);
 }
 
 // What a download may leave in place of the file.
@@ -90,60 +90,66 @@ void require_the_file_itself(std::string_view contents, const std::string& file)
   if (what != nullptr) throw UserError(Failure::malformed, fmt::format("{}: the file {}", file, what));
 }
 
-[[noreturn]] void fail_unknown(std::string_view contents, const std::string& file) {
-  const char* what = "is not an OFF, OBJ, PLY or STL file";
-  if (contents.empty()) what = "is empty";
-  if (contents.starts_with("\x1f\x8b")) what = "is compressed with gzip (decompress it first)";
-  if (contents.starts_with("PK")) what = "is a ZIP archive such as 3MF (unpack or convert it first)";
-  throw UserError(Failure::malformed,
-                  fmt::format("{}: the file {}; give a mesh in one of the formats OFF, OBJ, PLY "
-                              "and STL",
-                              file, what));
-}
-
-MeshFormat format_of(std::string_view contents, const std::string& file) {
-  if (contents.starts_with("ply\n") || contents.starts_with("ply\r") || contents.starts_with("ply "))
-    return MeshFormat::ply;
-  if (is_text_stl(contents) || has_binary_stl_size(contents)) return MeshFormat::stl;
-  TextScanner scanner(contents, file, {});
-  scanner.next_line();
-  if (begins_like_off(scanner.rest())) return MeshFormat::off;
-  if (begins_like_obj(scanner.rest())) return MeshFormat::obj;
-  const std::optional<MeshFormat> hint = format_of_extension(file);
-  if (contents.empty() || !hint || contents.starts_with("\x1f\x8b") || contents.starts_with("PK"))
-    fail_unknown(contents, file);
-  return *hint;
-}
-
-PolygonSoup parse_faces(std::string_view contents, const std::string& file) {
-  switch (format_of(contents, file)) {
+PolygonSoup parse_faces(MeshFormat format, std::string_view contents, const std::string& file,
+                        const FieldRequest& field) {
+  switch (format) {
     case MeshFormat::off:
       return read_off(contents, file);
     case MeshFormat::obj:
       return read_obj(contents, file);
     case MeshFormat::ply:
       return read_ply(contents, file);
+    case MeshFormat::gltf:
+      return read_gltf(contents, file);
+    case MeshFormat::three_mf:
+      return read_3mf(contents, file);
+    case MeshFormat::vtk:
+      return surface_of(read_vtk(contents, file, field.array), field, file);
+    case MeshFormat::vtk_xml:
+      return surface_of(read_vtk_xml(contents, file, field.array), field, file);
+    case MeshFormat::msh:
+      return read_msh(contents, file);
+    case MeshFormat::cube:
+      return isosurface(read_cube(contents, file, field.array), field, file);
+    case MeshFormat::mrc:
+      return isosurface(read_mrc(contents, file), field, file);
     case MeshFormat::stl:
       break;
   }
   return read_stl(contents, file);
 }
 
-}  // namespace
-
-PolygonSoup parse_mesh(std::string_view contents, const std::string& file) {
+PolygonSoup parse_unpacked(std::string_view contents, const std::string& file, const FieldRequest& field) {
   if (contents.starts_with("\xEF\xBB\xBF")) contents.remove_prefix(3);
   if (is_utf16(contents) && !has_binary_stl_size(contents))
     throw UserError(Failure::malformed,
                     fmt::format("{}: the file is text in UTF-16; save it as UTF-8 or ASCII", file));
   require_the_file_itself(contents, file);
-  PolygonSoup soup = parse_faces(contents, file);
-  soup.cell = cell_in_comment(contents, file);
+  const MeshFormat format = recognised_format(contents, file);
+  PolygonSoup soup = parse_faces(format, contents, file, field);
+  if (field.level && !soup.is_isosurface)
+    throw UserError(Failure::usage,
+                    fmt::format("{}: the file holds a mesh, not a scalar field: leave out --level", file));
+  if (holds_cell_comments(format)) soup.cell = cell_in_comment(contents, file);
   return soup;
 }
 
-PolygonSoup read_mesh(const std::filesystem::path& path) {
-  return parse_mesh(file_contents(path), path.string());
+}  // namespace
+
+PolygonSoup parse_mesh(std::string_view contents, const std::string& file, const FieldRequest& field) {
+  if (!contents.starts_with("\x1f\x8b")) return parse_unpacked(contents, file, field);
+  const std::optional<std::string> unpacked = inflated(contents, Packing::gzip, largest_file);
+  if (!unpacked)
+    throw UserError(
+        Failure::malformed,
+        fmt::format("{}: the file is compressed with gzip, and damaged, cut short, or above 4 GiB unpacked; "
+                    "pack it again",
+                    file));
+  return parse_unpacked(*unpacked, file, field);
+}
+
+PolygonSoup read_mesh(const std::filesystem::path& path, const FieldRequest& field) {
+  return parse_mesh(file_contents(path), path.string(), field);
 }
 
 }  // namespace nanocarbon::mesh

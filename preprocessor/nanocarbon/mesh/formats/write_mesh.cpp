@@ -167,6 +167,8 @@ void put_mesh(std::ostream& out, MeshFormat format, const TriangleMesh& mesh, co
     case MeshFormat::stl:
       put_stl(text, mesh, options.text);
       break;
+    default:
+      throw UserError(Failure::usage, "meshes are written as OFF, OBJ, PLY and STL alone");
   }
   text.flush();
 }
