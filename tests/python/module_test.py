@@ -200,7 +200,8 @@ class Building(unittest.TestCase):
         # Schwarz's P surface, whose cell ASE writes in Bohr.
         edges = len(mesh.triangles) * 3 // 2
         self.assertEqual(len(mesh.points) - edges + len(mesh.triangles), -4)  # genus 3
-        self.assertTrue((mesh.points.max(axis=0) - mesh.points.min(axis=0) < 8.0 / 0.529177).all())
+        # What goes on through the faces of the cell may stand out by an edge.
+        self.assertTrue((mesh.points.max(axis=0) - mesh.points.min(axis=0) < 1.1 * 8.0 / 0.529177).all())
 
     def test_what_cannot_be_is_said(self):
         with self.assertRaisesRegex(nc.NanocarbonError, "nowhere.off"):
