@@ -39,11 +39,12 @@ struct SizeSearch {
 
 struct SizeFound {
   std::optional<std::size_t> atoms;  //!< nothing if none of those looked at works
-  bool tried = false;  //!< a draft with that many atoms held; otherwise only the features were checked
-  std::size_t largest_failed =
-      0;  //!< the largest number of which a draft was made, which did not hold; 0 for none
-  double refused_to =
-      0;  //!< where it ended with features: no number up to this was found that leaves them room
+  //! A draft with that many atoms held; otherwise only the features were checked.
+  bool tried = false;
+  //! The largest number of which a draft was made, which did not hold; 0 for none.
+  std::size_t largest_failed = 0;
+  //! Where it ended with features: no number up to this was found that leaves them room.
+  double refused_to = 0;
 };
 
 //! \brief The next number, to two digits, for which the features are large enough and, unless it is too large to try, a
