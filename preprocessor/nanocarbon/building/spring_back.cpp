@@ -43,6 +43,7 @@ Released spring_back(const annealing::SwitchingState& state, const annealing::Te
   std::vector<Vec3> positions = state.positions;
   const minimisation::LbfgsResult released = annealing::minimise_fixed_bonds(
       model, nullptr, positions, {.max_iterations = iterations, .force_tolerance = force_tolerance});
+  annealing::bring_back(positions, state.positions, !state.space.periodic());
   const annealing::Similarity fit =
       annealing::fit_to_surface(positions, surface, with_scale, state.running.team);
   for (Vec3& p : positions) p = fit(p);
