@@ -3,10 +3,12 @@
 
 import base64
 import json
+import math
 import os
 import shutil
 import subprocess
 import tempfile
+import time
 
 NAMES = ["chromium", "chromium-browser", "google-chrome", "chrome"]
 
@@ -100,6 +102,19 @@ class Browser:
         self.call("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, button="left", buttons=1, clickCount=1)
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x + dx, y=y + dy, button="left", buttons=1)
         self.call("Input.dispatchMouseEvent", type="mouseReleased", x=x + dx, y=y + dy, button="left", clickCount=1)
+
+    def drag_for(self, x, y, seconds):
+        """Drags to and fro as a hand does, sixty moves a second if the page keeps up; returns how long it really took."""
+        self.call("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, button="left", buttons=1, clickCount=1)
+        begin, move = time.monotonic(), 0
+        while time.monotonic() - begin < seconds:
+            move += 1
+            at = x + 100 * math.sin(0.05 * move)
+            self.call("Input.dispatchMouseEvent", type="mouseMoved", x=at, y=y, button="left", buttons=1)
+            time.sleep(max(0.0, begin + move / 60 - time.monotonic()))
+        took = time.monotonic() - begin
+        self.call("Input.dispatchMouseEvent", type="mouseReleased", x=at, y=y, button="left", clickCount=1)
+        return took
 
     def cpu_seconds(self):
         """Of the browser and all processes that it has started."""
