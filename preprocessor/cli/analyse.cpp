@@ -18,6 +18,7 @@
 #include "common_options.h"
 #include "molecule_input.h"
 #include "nanocarbon/analysis/analysis_report.h"
+#include "nanocarbon/analysis/atom_matching.h"
 #include "nanocarbon/analysis/dual_triangulation.h"
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/core/error.h"
@@ -26,6 +27,7 @@
 #include "nanocarbon/mesh/formats/write_mesh.h"
 #include "nanocarbon/molecule/formats/byte_source.h"
 #include "nanocarbon/molecule/formats/distance_warnings.h"
+#include "nanocarbon/molecule/formats/read_settings.h"
 #include "nanocarbon/page/structure_page.h"
 #include "number_checks.h"
 #include "progress_bar.h"
@@ -70,12 +72,13 @@ struct Findings {
   molecule::MoleculeFrame last;
   analysis::Analysis analysis;
   analysis::FrameChange change;
+  bool began_as_surface = true;
   page::PageFrames page_frames;
   std::size_t bonds_of_file = 0, bonds_differing = 0;  // of the first frame, where its file lists bonds
 };
 
 std::string label_of(const analysis::FrameSummary& frame) {
-  return fmt::format("{}, frame {}{}: {}", fs::path(frame.file).filename().string(), frame.frame + 1,
+  return fmt::format("{}, frame {}{}: {}", fs::path(frame.file).filename().string(), frame.frame,
                      frame.step ? fmt::format(", step {}", *frame.step) : "",
                      topology::name(frame.change.verdict));
 }
@@ -105,7 +108,7 @@ class Analyser {
         if (number % command_.every != 0) continue;
         if (number == 0) warn_of(input, *frame);
         bar.show(fmt::format("analysing frame {}", number + 1), 0.0);
-        take(file, number, std::move(*frame), xyz);
+        take(file, number + 1, std::move(*frame), xyz);
       }
       if (const auto unused = frames.unused_types()) print_warnings(input, {*unused});
     }
@@ -118,8 +121,9 @@ class Analyser {
  private:
   void take(const std::string& file, std::size_t number, molecule::MoleculeFrame frame, std::ostream* xyz) {
     if (frame.molecule.size() == 0)
-      throw UserError(Failure::unsuitable,
-                      fmt::format("{}: there are no atoms in frame {}", file, number + 1));
+      throw UserError(Failure::unsuitable, fmt::format("{}: there are no atoms in frame {}", file, number));
+    if (!findings.frames.empty() && !frame.has_ids) name_atoms(file, number, frame);
+    next_id_ = std::max(next_id_, *std::max_element(frame.ids.begin(), frame.ids.end()) + 1);
     const std::vector<Bond> listed = std::move(frame.molecule.bonds);
     analysis::NamedBonds bonds =
         analysis::frame_bonds(frame.molecule, frame.ids, distances_, before_ ? &*before_ : nullptr);
@@ -128,6 +132,7 @@ class Analyser {
     if (!start_) {
       start_ = bonds;
       start_surface_ = findings.analysis.components.surface;
+      findings.began_as_surface = !start_surface_.problem;
       compare_with_listed(listed, frame.molecule.bonds);
     }
     analysis::FrameSummary summary = analysis::summarise(frame.molecule, findings.analysis);
@@ -144,9 +149,23 @@ class Analyser {
       write_analysed_xyz(*xyz, frame.molecule, frame.ids, findings.analysis, fates,
                          fmt::format("{} (nanocarbon {})", command_.command_line, version));
     findings.change = summary.change;
+    if (before_) summary.since_before = analysis::compare_with_before(*before_, bonds);
     findings.frames.push_back(std::move(summary));
     findings.last = std::move(frame);
     before_ = std::move(bonds);
+  }
+
+  // Gives atoms without IDs those of the frame before, and says once of each file what is doubtful about it.
+  void name_atoms(const std::string& file, std::size_t number, molecule::MoleculeFrame& frame) {
+    analysis::AtomMatching matching =
+        analysis::match_atoms(frame.molecule, findings.last.molecule, findings.last.ids, next_id_);
+    frame.ids = std::move(matching.ids);
+    molecule::sort_by_id(frame);
+    if (matching.doubt.empty() || doubted_ == file) return;
+    doubted_ = file;
+    MoleculeInput input = command_.input;
+    input.file = file;
+    print_warnings(input, {fmt::format("frame {}: {}. A column id would tell", number, matching.doubt)});
   }
 
   void compare_with_listed(const std::vector<Bond>& listed, const std::vector<Bond>& found) {
@@ -162,6 +181,8 @@ class Analyser {
   std::unique_ptr<potential::Potential> potential_;
   std::optional<analysis::NamedBonds> start_, before_;
   topology::SurfaceTopology start_surface_;
+  std::int64_t next_id_ = 1;  // that no frame has had
+  std::string doubted_;       // the file that was warned of last
 };
 
 void write_json(std::ostream& out, const AnalyseCommand& command, const Findings& found) {
@@ -215,26 +236,53 @@ void find_files(AnalyseCommand& command) {
   if (command.files.empty()) throw CLI::RequiredError("FILE");
 }
 
+// The frames in which bonds or atoms have changed since the one before, a line each.
+void print_changed_frames(const std::vector<analysis::FrameSummary>& frames) {
+  constexpr int most = 10;
+  int printed = 0;
+  std::size_t left = 0;
+  for (const analysis::FrameSummary& frame : frames) {
+    const analysis::FrameStep& c = frame.since_before;
+    if (c.none()) continue;
+    if (printed == most) {
+      ++left;
+      continue;
+    }
+    std::string text = fmt::format("{} bonds broken, {} formed", c.broken, c.formed);
+    if (c.lost > 0) text += fmt::format(", {} atoms lost", c.lost);
+    if (c.added > 0) text += fmt::format(", {} added", c.added);
+    const bool several = frames.front().file != frames.back().file;
+    fmt::print(
+        "  {:<26}{}{}{}\n", printed++ == 0 ? "changes" : "", several ? fmt::format("{}, ", frame.file) : "",
+        fmt::format("frame {}{}: ", frame.frame, frame.step ? fmt::format(", step {}", *frame.step) : ""),
+        text);
+  }
+  if (left > 0) fmt::print("  {:<26}and in {} more frames (--csv)\n", "", left);
+}
+
 void print_frames(const Findings& found) {
   const analysis::FrameChange& c = found.change;
-  const auto changed = std::find_if(found.frames.begin(), found.frames.end(),
-                                    [](const auto& frame) { return !frame.change.changes.none(); });
-  fmt::print("  {:<26}{}{}\n", "verdict", topology::name(c.verdict), c.reason.empty() ? "" : ": " + c.reason);
-  fmt::print("  {:<26}{} bonds broken, {} formed, {} atoms repelled, {} of them lost\n",
-             "since the first frame", c.changes.broken.size(), c.changes.formed.size(), c.repelled.size(),
+  if (found.began_as_surface)
+    fmt::print("  {:<26}{}{}\n", "verdict", topology::name(c.verdict),
+               c.reason.empty() ? "" : ": " + c.reason);
+  else
+    fmt::print("  {:<26}{}\n", "verdict",
+               c.changes.none() && c.lost.empty()
+                   ? "intact: the bonds are the same"
+                   : "none: the first frame is not a surface; bonds have changed");
+  fmt::print("  {:<26}{} bonds broken, {} formed, {} atoms repelled, {} lost\n", "since the first frame",
+             c.changes.broken.size(), c.changes.formed.size(), c.repelled.size() - c.lost.size(),
              c.lost.size());
   if (!c.added.empty())
     fmt::print("  {:<26}{} atoms that the first frame does not have\n", "added", c.added.size());
-  if (changed != found.frames.end())
-    fmt::print("  {:<26}frame {} of {}{}\n", "first change", changed->frame + 1, changed->file,
-               changed->step ? fmt::format(", step {}", *changed->step) : "");
+  print_changed_frames(found.frames);
 }
 
 void print_text(const Findings& found) {
   const analysis::FrameSummary& last = found.frames.back();
   fmt::print("{}{}\n{}", last.file,
              found.frames.size() > 1
-                 ? fmt::format(", frame {} (of {} looked at)", last.frame + 1, found.frames.size())
+                 ? fmt::format(", frame {} (of {} looked at)", last.frame, found.frames.size())
                  : "",
              analysis::analysis_table(found.last.molecule, found.last.ids, found.analysis));
   if (found.frames.size() > 1) print_frames(found);

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 #include "nanocarbon/core/error.h"
 
@@ -18,6 +21,26 @@ void find_file(MoleculeInput& input) {
     input.types.pop_back();
   }
   if (input.file.empty()) throw CLI::RequiredError("FILE");
+}
+
+Cell cell_of(const std::string& text) {
+  std::string separated = text;
+  std::replace(separated.begin(), separated.end(), ',', ' ');
+  std::istringstream words(separated);
+  std::vector<double> numbers;
+  for (double number = 0; words >> number;) numbers.push_back(number);
+  Cell cell;
+  if (numbers.size() == 3)
+    cell.vectors.diagonal() << numbers[0], numbers[1], numbers[2];
+  else if (numbers.size() == 9)
+    for (int k = 0; k < 9; ++k) cell.vectors(k % 3, k / 3) = numbers[static_cast<std::size_t>(k)];
+  if (!words.eof() || (numbers.size() != 3 && numbers.size() != 9) ||
+      !(std::abs(cell.vectors.determinant()) > 1e-6))
+    throw UserError(Failure::usage,
+                    "--cell takes three lengths or three vectors that span a volume, nine numbers, "
+                    "in Angstrom, such as '30 30 18.5', not '" +
+                        text + "'");
+  return cell;
 }
 
 }  // namespace
@@ -44,6 +67,12 @@ void add_read_options(CLI::App& subcommand, MoleculeInput& input) {
       ->type_name("NAME");
   subcommand.add_option("--boundary", input.boundary,
                         "Which directions are periodic, such as 'p p f'; overrides what the file says");
+  subcommand
+      .add_option(
+          "--cell", input.cell,
+          "Cell of an XYZ file that gives none, Angstrom: three lengths ('30 30 18.5') or three vectors, "
+          "nine numbers")
+      ->type_name("NUMBERS");
 }
 
 void add_frame_option(CLI::App& subcommand, MoleculeInput& input) {
@@ -54,7 +83,8 @@ void add_frame_option(CLI::App& subcommand, MoleculeInput& input) {
 }
 
 molecule::MoleculeReadOptions read_options(const MoleculeInput& input) {
-  molecule::MoleculeReadOptions options{input.types, input.atom_style, std::nullopt};
+  molecule::MoleculeReadOptions options{input.types, input.atom_style, std::nullopt, std::nullopt};
+  if (!input.cell.empty()) options.cell = cell_of(input.cell);
   if (input.boundary.empty()) return options;
   std::string letters = input.boundary;
   std::erase(letters, ' ');

@@ -17,20 +17,21 @@ struct MoleculeInput {
   std::vector<std::string> types;
   std::string atom_style;
   std::string boundary;
+  std::string cell;
   std::optional<std::int64_t> frame;
 };
 
-//! Adds --types, --atom-style and --boundary. \p input must outlive the app.
+//! Adds --types, --atom-style, --boundary and --cell. \p input must outlive the app.
 void add_read_options(CLI::App& subcommand, MoleculeInput& input);
 
-//! Adds FILE, --types, --atom-style and --boundary. \p input must outlive the app.
+//! Adds FILE, --types, --atom-style, --boundary and --cell. \p input must outlive the app.
 void add_molecule_input(CLI::App& subcommand, MoleculeInput& input);
 
 //! Adds --frame, for subcommands that take one frame.
 void add_frame_option(CLI::App& subcommand, MoleculeInput& input);
 
 //! \brief What the options say about how to read.
-//! \throw UserError (usage) for a boundary that is none
+//! \throw UserError (usage) for a boundary or a cell that is none
 molecule::MoleculeReadOptions read_options(const MoleculeInput& input);
 
 //! Says what a user should know of what was read, on the error stream.

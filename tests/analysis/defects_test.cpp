@@ -50,6 +50,40 @@ TEST(Defects, IsolatedPentagonsOfALargeFullereneAreOneDefectEach) {
               ElementsAre(Pair("pentagon", 12)));
 }
 
+// Two neighbours missing: a face of 14 atoms, four of which have lost a bond.
+TEST(Defects, TwoMissingNeighboursAreAnOpenDivacancyWhereTheyWere) {
+  const Molecule whole = test::bonded(sheet());
+  const AtomIndex first = test::nearest_atom(whole, middle(whole));
+  AtomIndex second = first;
+  for (const Bond& bond : whole.bonds)
+    if (bond.first == first) second = bond.second;
+  ASSERT_NE(first, second);
+  const Analysis analysis = test::analysed(test::bonded(test::without(whole, {first, second})));
+  ASSERT_THAT(kinds(analysis), ElementsAre(Pair("open divacancy", 1)));
+  EXPECT_EQ(analysis.defects[0].atoms.size(), 14u);
+  EXPECT_LT((analysis.defects[0].position - whole.positions[first]).norm(), 1.5);
+}
+
+TEST(Defects, AHoleIsADefectAndTheEdgeOfAFlakeIsNot) {
+  Molecule flake = sheet();
+  std::vector<AtomIndex> hole;
+  for (AtomIndex a = 0; a < flake.size(); ++a)
+    if ((flake.positions[a] - middle(flake)).norm() < 3.0) hole.push_back(a);
+  const Molecule punched = test::without(flake, hole);
+  ASSERT_EQ(test::analysed(test::bonded(punched)).defects.size(), 1u);
+  EXPECT_THAT(test::analysed(test::bonded(punched)).defects[0].kind, testing::StartsWith("hole of "));
+  flake.cell.reset();
+  for (const Defect& defect : test::analysed(test::bonded(flake)).defects)
+    EXPECT_EQ(defect.kind, "carbon with one bond");  // at its corners
+}
+
+TEST(Defects, PositionsAreInTheCellWhereAtomsHaveWanderedOutOfIt) {
+  Molecule turned = test::graphene_with_turned_bond(7, 4);
+  const Vec3 before = test::analysed(turned).defects.at(0).position;
+  for (Vec3& position : turned.positions) position += turned.cell->vectors.col(0);
+  EXPECT_LT((test::analysed(turned).defects.at(0).position - before).norm(), 1e-9);
+}
+
 TEST(Defects, AMissingAtomIsAVacancy) {
   const Molecule whole = sheet();
   const Analysis analysis =

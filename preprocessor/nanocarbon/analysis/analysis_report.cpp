@@ -129,8 +129,31 @@ std::map<std::string, std::string> lines_of(std::span<const Defect> defects) {
   return lines;
 }
 
-std::string cell_text(const Molecule& molecule) {
-  if (!molecule.cell) return "none: free space";
+// Where the defects are, if they are few.
+std::vector<std::string> places_of(std::span<const Defect> defects, std::span<const std::int64_t> ids) {
+  constexpr std::size_t most_defects = 10, most_atoms = 6;
+  if (defects.size() > most_defects) return {"(where they are: --json, --xyz, --page)"};
+  std::vector<std::string> places;
+  for (const Defect& defect : defects) {
+    std::vector<std::int64_t> names;
+    for (const AtomIndex a : std::span(defect.atoms).first(std::min(defect.atoms.size(), most_atoms)))
+      names.push_back(ids[a]);
+    places.push_back(fmt::format("{} at {:.2f} {:.2f} {:.2f}: atom IDs {}{}", defect.kind,
+                                 defect.position.x(), defect.position.y(), defect.position.z(),
+                                 fmt::join(names, ", "), defect.atoms.size() > most_atoms ? ", ..." : ""));
+  }
+  return places;
+}
+
+std::string cell_text(const Molecule& molecule, const BondDistributions& bonds) {
+  if (!molecule.cell) {
+    const std::size_t open = bonds.with(0) + bonds.with(1) + bonds.with(2);
+    return open == 0 ? "none: free space"
+                     : fmt::format(
+                           "none: free space ({} carbon atoms have fewer than three bonds; if a box was "
+                           "periodic, its cell is missing)",
+                           open);
+  }
   const Cell& cell = *molecule.cell;
   std::string ways;
   for (std::size_t d = 0; d < 3; ++d)
@@ -296,7 +319,7 @@ std::string analysis_table(const Molecule& molecule, std::span<const std::int64_
     table += fmt::format("  {:<26}{}\n", title, value);
   };
   line("atoms", fmt::format("{}: {} carbon, {} hydrogen", molecule.size(), b.carbons, b.hydrogens));
-  line("cell", cell_text(molecule));
+  line("cell", cell_text(molecule, b));
   const auto lengths = [&](const char* title, const Distribution& d) {
     if (d.spread.count > 0)
       line(title, fmt::format("{}; {:.3f} to {:.3f}, mean {:.4f}, deviation {:.4f}", d.spread.count,
@@ -312,7 +335,9 @@ std::string analysis_table(const Molecule& molecule, std::span<const std::int64_
   line("carbons by bonds", listed<std::size_t>(b.carbons_with));
   line("sp, sp2, sp3", fmt::format("{:.2f}%, {:.2f}%, {:.2f}%", 100 * b.share_with(2), 100 * b.share_with(3),
                                    100 * b.share_with(4)));
-  line("rings by size", listed<std::uint64_t>(p.ring_counts));
+  const std::string sizes = listed<std::uint64_t>(p.ring_counts);
+  line("rings by size",
+       sizes == "none" ? fmt::format("none of up to {} atoms", p.ring_counts.size() - 1) : sizes);
   if (!p.king_counts.empty()) {
     line("King's rings an atom", per_atom(p.king_counts, p.atoms_searched));
     line("primitive rings an atom", per_atom(p.primitive_counts, p.atoms_searched));
@@ -331,6 +356,7 @@ std::string analysis_table(const Molecule& molecule, std::span<const std::int64_
   if (order.size() > most_lines) line("  ...", fmt::format("and {} smaller ones", order.size() - most_lines));
   line("defects", std::to_string(analysis.defects.size()));
   for (const auto& [kind, value] : lines_of(analysis.defects)) line("  " + kind, value);
+  for (const std::string& place : places_of(analysis.defects, ids)) table += "    " + place + "\n";
   const auto values = [&](const char* title, const Distribution& d) {
     if (d.spread.count > 0)
       line(title, fmt::format("{:.4g} to {:.4g}, mean {:.4g}, deviation {:.4g}", d.spread.min, d.spread.max,

@@ -12,10 +12,11 @@ namespace nanocarbon::analysis {
 //! A frame as the tables of frames show it.
 struct FrameSummary {
   std::string file;
-  std::size_t frame = 0;             //!< within the file, from 0
+  std::size_t frame = 0;             //!< within the file, from 1
   std::optional<std::int64_t> step;  //!< where the file says
   std::size_t atoms = 0, bonds = 0, components = 0;
   FrameChange change;                        //!< since the first frame of all
+  FrameStep since_before;                    //!< since the frame before
   std::vector<std::uint64_t> ring_counts;    //!< by size
   std::array<double, 3> hybridisation = {};  //!< shares of sp, sp2, sp3
   double bond_mean = 0.0;                    //!< of carbon with carbon, Angstrom

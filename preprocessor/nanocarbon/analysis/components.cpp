@@ -23,6 +23,16 @@ void append(Rings& rings, std::span<const AtomIndex> ring) {
   rings.offsets.push_back(static_cast<std::uint32_t>(rings.atoms.size()));
 }
 
+// Rings of a part, whose atoms are those given.
+void append(Rings& rings, const Rings& of_part, std::span<const AtomIndex> atoms) {
+  std::vector<AtomIndex> ring;
+  for (std::size_t r = 0; r < of_part.size(); ++r) {
+    ring.clear();
+    for (const AtomIndex a : of_part[r]) ring.push_back(atoms[a]);
+    append(rings, ring);
+  }
+}
+
 // The atoms of each component, in compressed rows.
 struct Members {
   std::vector<std::uint32_t> offsets;
@@ -73,12 +83,8 @@ void take_surfaces_one_by_one(const topology::EmbeddedGraph& graph, const Compon
       continue;
     }
     component.topology = surface.components.front();
-    std::vector<AtomIndex> ring;
-    for (std::size_t r = 0; r < surface.rings.size(); ++r) {
-      ring.clear();
-      for (const AtomIndex a : surface.rings[r]) ring.push_back(atoms[a]);
-      append(result.rings, ring);
-    }
+    append(result.rings, surface.rings, atoms);
+    append(result.holes, surface.holes, atoms);
   }
 }
 
@@ -151,6 +157,7 @@ MoleculeComponents find_components(const Molecule& molecule, std::span<const std
     for (std::size_t p = 0; p < result.list.size(); ++p)
       result.list[p].topology = result.surface.components[p];
     result.rings = result.surface.rings;
+    result.holes = result.surface.holes;
   } else if (result.list.size() == 1) {
     result.list[0].not_a_surface = result.surface.problem->reason;
   } else {

@@ -45,6 +45,7 @@ struct MoleculeComponents {
   std::vector<MoleculeComponent> list;  //!< numbered by their lowest atom
   std::vector<std::uint32_t> of_atom;
   Rings rings;  //!< of all components; faces run counter-clockwise seen from outside where there is one
+  Rings holes;  //!< boundary loops around holes of the components that are surfaces (SurfaceTopology::holes)
   std::vector<std::uint64_t> ring_counts;  //!< by size; size max_ring + 1
   //! Of the components that were searched: those that are not surfaces, or all if asked for. Empty if none were.
   std::vector<std::uint64_t> king_counts, primitive_counts;

@@ -157,6 +157,19 @@ class RingDefects {
   std::vector<std::pair<AtomIndex, std::uint32_t>> hexagons_;  // by atom, made where they are asked for
 };
 
+void add_holes(const BondRows& rows, const Rings& holes, std::vector<Defect>& defects) {
+  for (std::size_t h = 0; h < holes.size(); ++h) {
+    std::vector<AtomIndex> atoms(holes[h].begin(), holes[h].end());
+    std::sort(atoms.begin(), atoms.end());
+    atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+    const auto open =
+        std::count_if(atoms.begin(), atoms.end(), [&](AtomIndex a) { return rows.degree(a) == 2; });
+    std::string kind =
+        atoms.size() == 14 && open == 4 ? "open divacancy" : fmt::format("hole of {} atoms", atoms.size());
+    defects.push_back({std::move(kind), {}, {}, std::move(atoms), {}});
+  }
+}
+
 bool are_bonded(const BondRows& rows, AtomIndex a, AtomIndex b) {
   const auto ends = rows.of(a);
   return std::any_of(ends.begin(), ends.end(), [&](const BondRowEnd& end) { return end.atom == b; });
@@ -205,6 +218,7 @@ void add_crosslinks(const Molecule& molecule, const BondRows& rows, const Molecu
 std::vector<Defect> find_defects(const Molecule& molecule, const BondRows& rows,
                                  const MoleculeComponents& components) {
   std::vector<Defect> defects = RingDefects(rows, components.rings).find();
+  add_holes(rows, components.holes, defects);
   add_single_atoms(molecule, rows, defects);
   add_crosslinks(molecule, rows, components, defects);
   const Space space = molecule.cell ? Space(*molecule.cell) : Space();
@@ -212,7 +226,7 @@ std::vector<Defect> find_defects(const Molecule& molecule, const BondRows& rows,
     const Vec3& anchor = molecule.positions[defect.atoms.front()];
     Vec3 sum = Vec3::Zero();
     for (const AtomIndex a : defect.atoms) sum += space.displacement(anchor, molecule.positions[a]);
-    defect.position = anchor + sum / static_cast<double>(defect.atoms.size());
+    defect.position = space.wrapped(anchor + sum / static_cast<double>(defect.atoms.size()));
   }
   std::stable_sort(defects.begin(), defects.end(), [](const Defect& a, const Defect& b) {
     return std::pair(std::string_view(a.kind), a.atoms.front()) <

@@ -16,7 +16,7 @@ struct Defect {
       rings;  //!< those that are no hexagons, ascending; indices into MoleculeComponents::rings
   std::vector<std::uint32_t> ring_sizes;  //!< of these rings, ascending
   std::vector<AtomIndex> atoms;           //!< ascending
-  Vec3 position = Vec3::Zero();           //!< middle of its atoms, Angstrom; beside its first atom in a cell
+  Vec3 position = Vec3::Zero();           //!< middle of its atoms, Angstrom; in the cell where there is one
 };
 
 //! \brief The defects of all components, sorted by kind and lowest atom.
@@ -29,6 +29,8 @@ struct Defect {
 //!   - 5, 5, 8: "divacancy 5-8-5"; 5, 5, 5, 7, 7, 7: "divacancy 555-777"; four 5 and four 7 around a hexagon:
 //!     "divacancy 5555-6-7777" (F. Banhart et al., ACS Nano 5, 26 (2011))
 //!   - else "cluster of N rings"
+//! A hole in a sheet, a boundary loop that the sheet is around, is a defect as well: "open divacancy" where it is
+//! of 14 atoms and four of them have two bonds, else "hole of N atoms". Ends of tubes and edges of flakes are not.
 //! Other defects are single atoms and bonds:
 //!   - "adatom": a carbon with two bonds, to atoms that are bonded to each other
 //!   - "crosslink": a bond of two carbons with four bonds each that lies on no ring of at most eight

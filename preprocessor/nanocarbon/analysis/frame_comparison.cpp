@@ -65,6 +65,15 @@ FrameChange compare_frames(const NamedBonds& start, const topology::SurfaceTopol
   return result;
 }
 
+FrameStep compare_with_before(const NamedBonds& before, const NamedBonds& now) {
+  const topology::BondChanges changes = topology::compare_bonds(before.named, now.named);
+  std::vector<std::int64_t> kept;
+  std::set_intersection(before.ids.begin(), before.ids.end(), now.ids.begin(), now.ids.end(),
+                        std::back_inserter(kept));
+  return {changes.broken.size(), changes.formed.size(), before.ids.size() - kept.size(),
+          now.ids.size() - kept.size()};
+}
+
 std::vector<AtomFate> atom_fates(std::span<const std::int64_t> ids, const FrameChange& change) {
   std::vector<AtomFate> fates(ids.size(), AtomFate::unchanged);
   const auto mark = [&](std::int64_t id, AtomFate fate) {

@@ -34,6 +34,14 @@ struct FrameChange {
   std::vector<std::int64_t> added;     //!< the other way round; they are not watched
 };
 
+//! How many bonds and atoms have changed from one frame to the next.
+struct FrameStep {
+  std::size_t broken = 0, formed = 0, lost = 0, added = 0;
+  bool none() const { return broken + formed + lost + added == 0; }
+};
+
+FrameStep compare_with_before(const NamedBonds& before, const NamedBonds& now);
+
 //! How an atom fares, as in the fix's per-atom output.
 enum class AtomFate : std::uint8_t { unchanged = 0, rebonded = 1, repelled = 2 };
 

@@ -129,10 +129,10 @@ void add_trajectory(PageContents& contents, std::span<const analysis::FrameSumma
   if (change.verdict == topology::Verdict::broken || change.verdict == topology::Verdict::not_a_surface)
     contents.mood = Mood::bad;
   if (!change.reason.empty()) contents.facts.emplace_back("verdict", change.reason);
-  contents.facts.emplace_back(
-      "since the start",
-      fmt::format("{} bonds broken, {} formed, {} atoms repelled", change.changes.broken.size(),
-                  change.changes.formed.size(), change.repelled.size()));
+  contents.facts.emplace_back("since the start",
+                              fmt::format("{} bonds broken, {} formed, {} atoms repelled, {} lost",
+                                          change.changes.broken.size(), change.changes.formed.size(),
+                                          change.repelled.size() - change.lost.size(), change.lost.size()));
   const bool steps =
       std::all_of(frames.begin(), frames.end(), [](const auto& f) { return f.step.has_value(); });
   const auto line = [&](const char* title, const auto& value) {

@@ -35,6 +35,11 @@ ComponentTopology component_topology(const Counts& c, bool one_sided) {
   return {c.rings > 0, !one_sided, one_sided ? 2 - closed : (2 - closed) / 2, c.holes};
 }
 
+void append(std::span<const AtomIndex> face, Rings& rings) {
+  rings.atoms.insert(rings.atoms.end(), face.begin(), face.end());
+  rings.offsets.push_back(static_cast<std::uint32_t>(rings.atoms.size()));
+}
+
 void add_ring(std::span<const AtomIndex> ring, SurfaceTopology& surface) {
   const auto size = static_cast<std::uint8_t>(ring.size());
   ++surface.ring_counts[size];
@@ -42,8 +47,7 @@ void add_ring(std::span<const AtomIndex> ring, SurfaceTopology& surface) {
     std::uint8_t& smallest = surface.smallest_ring[a];
     if (smallest == 0 || size < smallest) smallest = size;
   }
-  surface.rings.atoms.insert(surface.rings.atoms.end(), ring.begin(), ring.end());
-  surface.rings.offsets.push_back(static_cast<std::uint32_t>(surface.rings.atoms.size()));
+  append(ring, surface.rings);
 }
 
 std::string describe(const ComponentTopology& p) {
@@ -78,13 +82,13 @@ SurfaceTopology surface_topology(const EmbeddedGraph& graph, const TopologyOptio
     const std::span<const AtomIndex> face(faces.atoms.data() + faces.offsets[f],
                                           faces.offsets[f + 1] - faces.offsets[f]);
     Counts& component = counts[surface.component_of_atom[face[0]]];
-    const bool is_ring =
-        face.size() <= static_cast<std::size_t>(options.max_ring) && faces.turning[f] > std::numbers::pi;
-    if (is_ring) {
+    const bool turns_left = faces.turning[f] > std::numbers::pi;
+    if (turns_left && face.size() <= static_cast<std::size_t>(options.max_ring)) {
       ++component.rings;
       add_ring(face, surface);
     } else {
       ++component.holes;
+      if (turns_left) append(face, surface.holes);
     }
   }
   for (std::size_t p = 0; p < counts.size(); ++p) {

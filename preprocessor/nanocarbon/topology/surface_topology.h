@@ -38,6 +38,9 @@ struct SurfaceTopology {
   std::vector<std::uint8_t> smallest_ring;       //!< of each atom; 0 where it is in no ring
   Rings rings;  //!< each starts at its lowest atom; those of an orientable component all run
                 //!< counter-clockwise seen from the side that it bends away from, the outside
+  //! Boundary loops around holes in a sheet, which turn to the left as rings do; those of tubes' ends and of
+  //! flakes do not. An atom stands there as often as the boundary passes it.
+  Rings holes;
 };
 
 struct TopologyOptions {

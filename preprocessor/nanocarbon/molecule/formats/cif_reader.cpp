@@ -209,6 +209,7 @@ MoleculeFrame frame_of(const Block& block, ReadSettings& settings) {
   for (const Site& site : sites) add_images(site, operations, space, cell, frame.molecule);
   for (std::size_t i = 0; i < frame.molecule.size(); ++i)
     frame.ids.push_back(static_cast<std::int64_t>(i) + 1);
+  frame.has_ids = false;
   frame.molecule.cell = cell_as_read(block.input, cell, settings);
   return frame;
 }

@@ -193,6 +193,7 @@ DumpAtoms::DumpAtoms(const TextInput& input, Words names, std::size_t atoms, con
                      ReadSettings& settings, MoleculeFrame& frame)
     : parts_(std::make_unique<Parts>(input, names, atoms, box, settings, frame)) {
   frame.molecule.cell = cell_as_read(input, box.cell, settings);
+  frame.has_ids = parts_->columns.id.has_value();
   if (!box.says_boundary && !settings.periodic)
     frame.warnings.push_back(
         "the dump does not say which directions are periodic; all are taken to be (if not, give them, as in "

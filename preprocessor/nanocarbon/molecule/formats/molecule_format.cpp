@@ -127,7 +127,7 @@ bool is_yaml_dump(const Lines& lines, std::size_t first) {
       Failure::malformed,
       fmt::format(
           "{}: {}. The formats that are read are LAMMPS data files and text dumps, XYZ, CIF and POSCAR; ASE "
-          "makes XYZ of many others, as in: python3 -m ase convert FILE new.xyz",
+          "makes XYZ of many others, as in: python3 -m ase convert FILE new.xyz, with a Python that has ASE",
           file, what));
 }
 

@@ -21,6 +21,8 @@ struct MoleculeReadOptions {
   std::string atom_style = {};
   //! Which of the cell's directions are periodic; without a cell none can be.
   std::optional<std::array<bool, 3>> periodic = {};
+  //! Of XYZ files that give none.
+  std::optional<Cell> cell = {};
 };
 
 //! One structure of a file: all of a data file, a time step of a trajectory.
@@ -28,6 +30,7 @@ struct MoleculeFrame {
   //! In ascending order of IDs where the file has them. Bonds where the file has them; rings are not known.
   Molecule molecule;
   std::vector<std::int64_t> ids;      //!< what the file calls each atom, or 1, 2, ...
+  bool has_ids = true;                //!< whether the file says them
   std::optional<std::int64_t> step;   //!< the time step, where the file says it
   std::vector<std::string> warnings;  //!< what a user should know before trusting the numbers
 };

@@ -104,6 +104,7 @@ std::optional<std::int64_t> configuration(std::string_view line) {
 MoleculeFrame read_positions(TextInput& input, const Head& head, bool cartesian) {
   MoleculeFrame frame;
   frame.molecule.cell = head.periodic;
+  frame.has_ids = false;
   for (std::size_t k = 0; k < head.counts.size(); ++k)
     for (std::size_t i = 0; i < head.counts[k]; ++i) {
       const Vec3 p =

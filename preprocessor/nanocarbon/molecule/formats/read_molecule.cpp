@@ -20,12 +20,17 @@ namespace nanocarbon::molecule {
 
 struct MoleculeFile::Reader {
   Reader(ByteSource source, const std::string& name, const MoleculeReadOptions& options)
-      : settings{TypeNames(options.types), options.atom_style, options.periodic},
+      : settings{TypeNames(options.types), options.atom_style, options.periodic, options.cell},
         input(std::move(source), name),
         format(recognise_molecule(input.head(), name)) {
     if (!settings.atom_style.empty() && format != MoleculeFormat::lammps_data)
       throw UserError(Failure::usage, fmt::format("--atom-style is for LAMMPS data files; {} is {}", name,
                                                   molecule::name(format)));
+    if (settings.cell && format != MoleculeFormat::xyz)
+      throw UserError(
+          Failure::usage,
+          fmt::format("--cell is for XYZ files, which may lack a cell; {} is {}, which gives its own", name,
+                      molecule::name(format)));
   }
 
   std::optional<MoleculeFrame> next() {

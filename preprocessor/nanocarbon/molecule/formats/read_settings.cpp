@@ -43,9 +43,9 @@ std::optional<Cell> cell_as_read(const TextInput& input, Cell cell, const ReadSe
 
 void require_free_space(const TextInput& input, const ReadSettings& settings) {
   if (settings.periodic.value_or(nowhere) == nowhere) return;
-  throw UserError(Failure::unsuitable,
-                  fmt::format("{}:{}: the file gives no cell, so no direction can be periodic (--boundary)",
-                              input.name(), input.number()));
+  throw UserError(Failure::unsuitable, fmt::format("{}:{}: the file gives no cell, so no direction can be "
+                                                   "periodic (--boundary) until --cell gives one",
+                                                   input.name(), input.number()));
 }
 
 std::optional<std::int64_t> sort_by_id(MoleculeFrame& frame) {

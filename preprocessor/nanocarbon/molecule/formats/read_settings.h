@@ -18,6 +18,7 @@ struct ReadSettings {
   TypeNames types;
   std::string atom_style;
   std::optional<std::array<bool, 3>> periodic;
+  std::optional<Cell> cell;  // of files that give none
 };
 
 //! \brief The cell of a structure, or none where no direction is periodic.

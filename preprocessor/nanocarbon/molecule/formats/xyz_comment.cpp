@@ -100,17 +100,28 @@ std::optional<Cell> parse_cell(const TextInput& input, const Keys& keys, const R
   const auto lattice = keys.find("lattice"), pbc = keys.find("pbc");
   Cell cell;
   if (pbc != keys.end()) cell.periodic = parse_pbc(input, pbc->second);
+  if (lattice == keys.end() && settings.cell) {
+    if (pbc != keys.end())
+      cell = {settings.cell->vectors, settings.cell->origin, cell.periodic};
+    else
+      cell = *settings.cell;
+    return cell_as_read(input, cell, settings);
+  }
   if (lattice == keys.end()) {
     require_free_space(input, settings);
     if (pbc != keys.end() && !settings.periodic && cell.periodic != std::array{false, false, false})
       throw UserError(
           Failure::unsuitable,
-          fmt::format("{}:{}: pbc says that the structure is periodic, but there is no Lattice: add "
-                      "Lattice=\"ax ay az bx by bz cx cy cz\" to this line, or read the structure in free "
-                      "space with --boundary 'f f f'",
-                      input.name(), input.number()));
+          fmt::format(
+              "{}:{}: pbc says that the structure is periodic, but there is no Lattice: add "
+              "Lattice=\"ax ay az bx by bz cx cy cz\" to this line or give --cell, or read the structure in "
+              "free space with --boundary 'f f f'",
+              input.name(), input.number()));
     return std::nullopt;
   }
+  if (settings.cell)
+    throw UserError(Failure::usage, fmt::format("{}:{}: the file gives its cell as Lattice; leave out --cell",
+                                                input.name(), input.number()));
   std::string separated;
   const auto words = values(input, lattice->second, 9, "Lattice", separated);
   for (int d = 0; d < 3; ++d)

@@ -35,13 +35,14 @@ bool is_numbered(const Words& words, const XyzColumns& columns) {
          parse_real(words[3], coordinate) && parse_real(words[4], coordinate);
 }
 
-// A property that is called id is used as such where it tells the atoms apart.
-void use_ids(std::vector<std::int64_t> ids, MoleculeFrame& frame) {
+// A property that is called id is used as such where it tells the atoms apart; whether it does.
+bool use_ids(std::vector<std::int64_t> ids, MoleculeFrame& frame) {
   std::vector<std::int64_t> sorted = ids;
   std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return;
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return false;
   frame.ids = std::move(ids);
   sort_by_id(frame);
+  return true;
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ std::optional<MoleculeFrame> read_xyz_frame(TextInput& input, ReadSettings& sett
     frame.ids.push_back(static_cast<std::int64_t>(i) + 1);
     if (columns.id) ids.push_back(input.integer(words[*columns.id], "an atom-ID"));
   }
-  if (columns.id) use_ids(std::move(ids), frame);
+  frame.has_ids = columns.id && use_ids(std::move(ids), frame);
   check_what_follows(input, atoms, words);
   if (comment.lattice)
     if (const auto doubt = bonds_through_open_faces(frame.molecule, *comment.lattice))
