@@ -7,9 +7,11 @@
 #include <numbers>
 
 #include "nanocarbon/mesh/measures.h"
+#include "nanocarbon/mesh/triangulate.h"
 #include "nanocarbon/shapes/periodic_shapes.h"
 #include "nanocarbon/structures/fullerene.h"
 #include "remeshing/shapes.h"
+#include "support/small_meshes.h"
 
 namespace nanocarbon::building {
 namespace {
@@ -95,6 +97,21 @@ TEST(Likeness, WhatTheMoleculeLeavesOutOfTheSurfaceIsTold) {
   EXPECT_GT(like.distance_back, 2);
   EXPECT_EQ(like.distance(), like.distance_back);
   EXPECT_THAT(like.warnings(), testing::ElementsAre(testing::HasSubstr("the surface lies")));
+}
+
+// A cage of so few atoms that it is as round whatever it was to be.
+TEST(Likeness, AShapeThatIsRoundedOffIsTold) {
+  const Molecule cage = structures::fullerene(1, 1);  // C60
+  const double area = 60 * area_per_atom;
+  TriangleMesh cube = mesh::triangulate(test::cube(Vec3::Zero())).mesh;
+  for (Vec3& p : cube.points) p = (p - Vec3::Constant(0.5)) * std::sqrt(area / 6);
+  const Likeness rounded = likeness(cage, cube, 0.4);
+  EXPECT_NEAR(rounded.from_sphere, 0.12 * rounded.shape_radius, 0.03 * rounded.shape_radius);
+  EXPECT_TRUE(rounded.rounded());
+  EXPECT_THAT(rounded.warnings(), testing::ElementsAre(testing::HasSubstr("rounded off")));
+  const Likeness ball = likeness(cage, test::sphere(std::sqrt(area / (4 * std::numbers::pi)), 3), 0.4);
+  EXPECT_LT(ball.from_sphere, 0.01 * ball.shape_radius);
+  EXPECT_THAT(ball.warnings(), testing::IsEmpty());
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 // `nanocarbon build` as a user runs it: what it refuses, or warns of.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -14,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 using BuildRefusals = test::ProgramTest;
 
@@ -33,6 +36,49 @@ TEST_F(BuildRefusals, TheSizeThatARefusalNamesIsBuilt) {
   EXPECT_LE(report["options"]["atoms_aimed_at"].get<int>(), 1.3 * atoms);
   EXPECT_EQ(run(build + " --atoms fit --recipe thesis").exit_code, 2);
   EXPECT_EQ(run(build + " --atoms fits").exit_code, 2);
+}
+
+// A cage of 60 atoms is no box: the user who wants it is warned, and fit goes on to one that has the shape.
+TEST_F(BuildRefusals, ABoxOfTooFewAtomsIsSaidToBeRoundedOff) {
+  const std::string box = file("box.off",
+                               "OFF\n8 6 0\n0 0 0\n3 0 0\n3 2 0\n0 2 0\n0 0 1.5\n3 0 1.5\n3 2 1.5\n0 2 1.5\n"
+                               "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  const std::string build =
+      "build " + box + " --quality draft -o " + path("out.data") + " --report " + path("out.json");
+  const Outcome small = run(build + " --atoms 60");
+  EXPECT_EQ(small.exit_code, 0);
+  EXPECT_THAT(small.err, HasSubstr("rounded off"));
+  const Outcome fitted = run(build + " --atoms fit");
+  EXPECT_EQ(fitted.exit_code, 0) << fitted.err;
+  EXPECT_THAT(fitted.err, Not(HasSubstr("rounded off")));
+  const auto report = nlohmann::json::parse(contents("out.json"));
+  EXPECT_GT(report["options"]["atoms_aimed_at"].get<int>(), 60);
+  EXPECT_LT(report["options"]["atoms_aimed_at"].get<int>(), 1000);
+}
+
+// A disc of a fiftieth of its radius needs tens of thousands of atoms: fit names the number instead of taking minutes.
+TEST_F(BuildRefusals, FitDoesNotGoOnToHugeMolecules) {
+  std::string mesh = "OFF\n64 34 0\n", top = "32", bottom = "32";
+  for (const double z : {0.0, 0.02})
+    for (int i = 0; i < 32; ++i)
+      mesh += std::to_string(std::cos(i * std::numbers::pi / 16)) + " " +
+              std::to_string(std::sin(i * std::numbers::pi / 16)) + " " + std::to_string(z) + "\n";
+  for (int i = 0; i < 32; ++i) {
+    top += " " + std::to_string(32 + i);
+    bottom += " " + std::to_string(31 - i);
+  }
+  mesh += top + "\n" + bottom + "\n";
+  for (int i = 0; i < 32; ++i) {
+    const int next = (i + 1) % 32;
+    mesh += "4 " + std::to_string(i) + " " + std::to_string(next) + " " + std::to_string(32 + next) + " " +
+            std::to_string(32 + i) + "\n";
+  }
+  const Outcome refused = run("build " + file("disc.off", mesh) + " --atoms fit -o " + path("out.data"));
+  EXPECT_EQ(refused.exit_code, 6) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("--atoms fit builds up to 20000"));
+  const auto advice = refused.err.rfind("ask for --atoms ");
+  ASSERT_NE(advice, std::string::npos) << refused.err;
+  EXPECT_GT(std::stoi(refused.err.substr(advice + 16)), 20'000);
 }
 
 TEST_F(BuildRefusals, SpecksAreNamedAndLeftOutOnDemand) {

@@ -185,5 +185,26 @@ TEST(PeriodicMesh, ACommentThatIsNoCellIsRefused) {
   EXPECT_THROW(parse_mesh(mesh + "# Lattice=\"2 0 0 0 2 0 0 0 2\" pbc=\"T T\"\n", "m.off"), UserError);
 }
 
+// However its names are spelled, a cell is taken or refused, but never passed over.
+TEST(PeriodicMesh, ACellIsSeenInAnySpelling) {
+  const std::string mesh = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", nine = "2 0 0 0 3 0 0 0 4";
+  for (const std::string& line :
+       {"# Lattice=\"" + nine + "\" Origin=\"1 2 3\" pbc=\"T T F\"",
+        "# lattice=\"" + nine + "\" origin=\"1 2 3\" pbc=\"t t f\"",
+        "#LATTICE='" + nine + "' ORIGIN='1 2 3' PBC='T T F'",
+        "# made by x=y pbc = \"T T F\"  Origin = \"1 2 3\"\tLattice = \"" + nine + "\" n=1"}) {
+    const auto cell = parse_mesh(line + "\n" + mesh, "m.off").cell;
+    ASSERT_TRUE(cell) << line;
+    EXPECT_EQ(cell->vectors, Vec3(2, 3, 4).asDiagonal().toDenseMatrix()) << line;
+    EXPECT_EQ(cell->origin, Vec3(1, 2, 3)) << line;
+    EXPECT_EQ(cell->periodic, (std::array{true, true, false})) << line;
+  }
+  for (const std::string& value : {nine, "[" + nine + "]", "'" + nine, std::string("\"\"")})
+    EXPECT_THROW(parse_mesh("# lattice=" + value + "\n" + mesh, "m.off"), UserError) << value;
+  for (const char* line :
+       {"# lattice=hexagonal", "# sublattice=\"2 0 0 0 3 0 0 0 4\"", "# lattice", "#lattice="})
+    EXPECT_FALSE(parse_mesh(std::string(line) + "\n" + mesh, "m.off").cell) << line;
+}
+
 }  // namespace
 }  // namespace nanocarbon::mesh

@@ -143,7 +143,10 @@ void require_bonds_that_hold(bool intact, const Molecule& molecule, const SizedS
   if (!intact) throw TooFewAtoms(Failure::failed, describe_failure(molecule, surface));
 }
 
-void require_likeness(const Likeness& l) {
+// A size that is looked for is to have the shape; where a number was asked for, a rounded one is warned of.
+void require_likeness(const Likeness& l, bool looking_for_a_size) {
+  if (l.rounded() && looking_for_a_size)
+    throw TooFewAtoms(Failure::failed, "the molecule is rounded off: " + l.distance_told());
   if (!l.far() && !l.strained()) return;
   const std::string what = l.far() ? l.distance_told()
                                    : fmt::format(
@@ -232,7 +235,7 @@ BuildResult build_by_annealing(SizedSurface surface, const BuildOptions& options
   }
   const Likeness like =
       likeness(molecule::carbon_skeleton(molecule), surface.mesh, rest.above_graphene, options.boundary);
-  if (!options.force) require_likeness(like);
+  if (!options.force) require_likeness(like, options.fit);
   BuildResult result;
   result.triangulation =
       annealing::triangulation_of(made.minimum.network, molecule.positions, Space(molecule.cell));
@@ -317,7 +320,8 @@ double smallest_size(const TriangleMesh& surface, bool drop_specks) {
 
 BuildResult build_fitting(const TriangleMesh& surface, BuildOptions options) {
   constexpr int most_builds = 5;
-  const SizeSearch search = search_of(surface, options);
+  SizeSearch search = search_of(surface, options);
+  search.most_tries = 20;  // a cage of 60 is soon tried
   double from = smallest_size(surface, options.drop_specks);
   std::string last = "nothing was tried";
   for (int i = 0; i < most_builds; ++i) {
@@ -329,6 +333,13 @@ BuildResult build_fitting(const TriangleMesh& surface, BuildOptions options) {
           fmt::format("no number of atoms from {:.0f} on was found that fits the shape: {}; force "
                       "one with --atoms N --force, or change the shape",
                       from, why_none(found)));
+    if (*found.atoms > largest_fit)
+      throw UserError(
+          Failure::size,
+          fmt::format(
+              "the smallest number of atoms that leaves no feature too small is {}, and --atoms fit builds "
+              "up to {}; ask for --atoms {}, or change the shape: thicker walls and wider gaps need fewer",
+              *found.atoms, largest_fit, *found.atoms));
     tell(options, fmt::format("building with {} atoms", *found.atoms));
     options.size = AtomCount{*found.atoms};
     try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -56,7 +57,7 @@ struct BuildOptions {
   //! also accepts one that is not shown to be at a minimum.)
   bool force = false;
   //! Of the annealed recipe: ignore the size, and build with the smallest number of atoms, to two digits, for which all
-  //! features are large enough and a molecule holds.
+  //! features are large enough and a molecule holds that is not rounded off (Likeness::rounded()), up to largest_fit.
   bool fit = false;
   //! If a size does not work, look for one that does.
   bool advise = true;
@@ -71,6 +72,9 @@ struct BuildOptions {
   //! Called with facts on the way: why a size is refused, before the search for another begins.
   std::function<void(const std::string& fact)> tell;
 };
+
+//! The largest molecule that a build without a number of atoms (BuildOptions::fit) goes on to, since larger ones take minutes.
+inline constexpr std::size_t largest_fit = 20'000;
 
 //! The tether that annealing uses, eV/Angstrom^2: the one asked for, or the default for the kind of size asked for.
 double tether_of(const BuildOptions& options);

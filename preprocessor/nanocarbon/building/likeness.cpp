@@ -61,6 +61,20 @@ Eigen::Matrix2d shape_operator(const std::array<Vec3, 3>& p, const std::array<Ve
   return turns * edges.inverse();
 }
 
+// Mean distance of a surface from the sphere about its centroid that has its mean radius.
+double distance_from_sphere(const TriangleMesh& surface) {
+  if (surface.space.periodic()) return 0;
+  constexpr std::size_t samples = 2000;
+  const std::vector<Vec3> places = mesh::sample_by_area(surface, samples);
+  Vec3 centroid = Vec3::Zero();
+  for (const Vec3& p : places) centroid += p / static_cast<double>(places.size());
+  double mean = 0, deviation = 0;
+  for (const Vec3& p : places) mean += (p - centroid).norm() / static_cast<double>(places.size());
+  for (const Vec3& p : places)
+    deviation += std::abs((p - centroid).norm() - mean) / static_cast<double>(places.size());
+  return deviation;
+}
+
 bool beyond(double share, double share_limit, double value, double limit) {
   return share > share_limit && value > limit;
 }
@@ -120,10 +134,19 @@ bool Likeness::strained() const {
   return beyond(energy_share, energy_share_to_refuse, energy, energy_to_refuse);
 }
 
+bool Likeness::rounded() const {
+  return from_sphere > roundness_share * shape_radius && distance() > roundness_to_warn * from_sphere;
+}
+
 std::vector<std::string> Likeness::warnings() const {
   std::vector<std::string> told;
   if (beyond(distance_share, distance_share_to_warn, distance(), distance_to_warn))
     told.push_back(distance_told() + ": the molecule follows the shape only roughly");
+  else if (rounded())
+    told.push_back(distance_told() +
+                   fmt::format(", where a sphere would lie {:.1f} A: with so few atoms it is "
+                               "rounded off, and hardly has the shape",
+                               from_sphere));
   if (beyond(energy_share, energy_share_to_warn, energy, energy_to_warn))
     told.push_back(
         fmt::format("the molecule's energy is {:.0f} meV per atom above graphene, {:.1f} times the {:.0f} "
@@ -138,6 +161,7 @@ Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double 
   result.distance_there = mesh::distances_to_surface(molecule.positions, mesh::NearestPoint(surface)).mean;
   const TriangleMesh rings = molecule::ring_mesh(molecule);
   if (!rings.triangles.empty()) result.distance_back = mesh::distances_of_area(surface, rings).mean;
+  result.from_sphere = distance_from_sphere(surface);
   result.distance_share = result.distance() / result.shape_radius;
   result.energy = energy;
   result.expected_energy = expected_energy(surface, molecule.size(), boundary);

@@ -21,15 +21,20 @@ inline constexpr double distance_share_to_refuse = 0.25, distance_to_refuse = 3.
 //! many eV per atom.
 inline constexpr double energy_share_to_warn = 4.0, energy_to_warn = 0.15;
 inline constexpr double energy_share_to_refuse = 8.0, energy_to_refuse = 0.40;
+//! The larger mean distance over the shape's mean distance from a sphere: at 1 a sphere would be as like. Counts only where
+//! the shape is no sphere: where that is more than so much of its radius.
+inline constexpr double roundness_to_warn = 0.50, roundness_share = 0.05;
 //! @}
 
 //! How well a molecule has the shape of its surface.
 struct Likeness {
-  double shape_radius = 0;     //!< of the sphere with the surface's area, Angstrom
-  double distance_there = 0;   //!< mean distance of the atoms from the surface, Angstrom
-  double distance_back = 0;    //!< mean distance of the surface from the molecule, Angstrom
-  double distance_share = 0;   //!< the larger of them over the radius
-  double energy = 0;           //!< above graphene, eV per atom
+  double shape_radius = 0;    //!< of the sphere with the surface's area, Angstrom
+  double distance_there = 0;  //!< mean distance of the atoms from the surface, Angstrom
+  double distance_back = 0;   //!< mean distance of the surface from the molecule, Angstrom
+  double distance_share = 0;  //!< the larger of them over the radius
+  double from_sphere =
+      0;              //!< mean distance of the surface from a sphere about its middle, Angstrom; in cells 0
+  double energy = 0;  //!< above graphene, eV per atom
   double expected_energy = 0;  //!< of the surface above graphene, by expected_energy(), eV per atom
   double energy_share = 0;     //!< the energy over that
 
@@ -38,6 +43,7 @@ struct Likeness {
   std::string distance_told() const;
   bool far() const;       //!< above the second limit of distance
   bool strained() const;  //!< above the second limit of energy
+  bool rounded() const;   //!< above the limit of roundness
   //! A sentence for each first limit that is exceeded.
   std::vector<std::string> warnings() const;
 };

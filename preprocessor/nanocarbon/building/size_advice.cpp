@@ -14,7 +14,6 @@ namespace nanocarbon::building {
 namespace {
 
 constexpr double step = 1.25;  // to the next size where one does not hold
-constexpr int most_tries = 6;
 
 features::AtomsForFeatures with_room_for_features(const SizeSearch& search, double atoms,
                                                   const features::FeatureReport& report) {
@@ -30,7 +29,7 @@ SizeFound next_size(const SizeSearch& search, double atoms, const features::Feat
                     double effort) {
   SizeFound found;
   double wanted = atoms;
-  for (int i = 0; i < most_tries; ++i, report = nullptr) {
+  for (int i = 0; i < search.most_tries; ++i, report = nullptr) {
     const features::AtomsForFeatures fitting =
         with_room_for_features(search, wanted, report ? *report : features::FeatureReport{});
     if (!fitting.atoms) {

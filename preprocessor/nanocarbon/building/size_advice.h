@@ -35,6 +35,7 @@ struct SizeSearch {
   std::function<bool(std::size_t atoms)> holds;
   //! Molecules larger than this are not tried; for them only the features are checked.
   std::size_t largest_tried = 6000;
+  int most_tries = 6;
 };
 
 struct SizeFound {

@@ -16,6 +16,7 @@ namespace nanocarbon::mesh {
 std::string cell_comment(const Cell& cell);
 
 //! The cell in a comment ("#", or "comment" in the header of a PLY file) of a file; nothing where there is none.
+//! \details Names in any case, as elsewhere, with either kind of quotes.
 //! \throw UserError (malformed) naming the file where there is one, but not a cell
 std::optional<Cell> cell_in_comment(std::string_view contents, const std::string& file);
 

@@ -3,15 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/text_numbers.h"
 
 namespace nanocarbon::mesh {
 namespace {
-
-constexpr double largest_coordinate = 1e50;  // its sixth power, a squared volume, does not overflow
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
@@ -21,14 +17,6 @@ void fail_at_line(const std::string& file, std::size_t line, const std::string& 
                   const std::string& remedy) {
   throw UserError(Failure::malformed, fmt::format("{}:{}: {}; {}", file, line, what, remedy));
 }
-
-const char* coordinate_fault(double value) {
-  if (!std::isfinite(value)) return "is not finite";
-  if (std::abs(value) > largest_coordinate) return "is larger than 1e50";
-  return nullptr;
-}
-
-std::string quoted(std::string_view text) { return "'" + shown(text, 30) + "'"; }
 
 TextScanner::TextScanner(std::string_view text, std::string file, Syntax syntax)
     : text_(text), file_(std::move(file)), syntax_(syntax) {
@@ -75,8 +63,7 @@ std::string_view TextScanner::word() {
 }
 
 double TextScanner::coordinate(const char* what) {
-  const std::string_view found = word();
-  if (found.empty()) fail(fmt::format("the {} is missing", what));
+  const std::string_view found = number_word(what);
   double value = 0.0;
   const NumberToken token = read_real(found, value);
   if (token == NumberToken::too_large)
@@ -92,19 +79,22 @@ double TextScanner::coordinate(const char* what) {
   return value;
 }
 
-std::int64_t TextScanner::integer(const char* what) {
+std::string_view TextScanner::number_word(const char* what) {
   const std::string_view found = word();
   if (found.empty()) fail(fmt::format("the {} is missing", what));
-  std::int64_t value = 0;
-  if (read_integer(found, value) != NumberToken::number)
-    fail(fmt::format("the {} {} is not an integer", what, quoted(found)));
-  return value;
+  return found;
+}
+
+std::int64_t TextScanner::integer(const char* what) {
+  const NumberWord read = integer_word(number_word(what), what);
+  if (!read.fault.empty()) fail(read.fault);
+  return read.value;
 }
 
 std::uint64_t TextScanner::count(const char* what) {
-  const std::int64_t value = integer(what);
-  if (value < 0) fail(fmt::format("the {} is negative ({})", what, value));
-  return static_cast<std::uint64_t>(value);
+  const NumberWord read = count_word(number_word(what), what);
+  if (!read.fault.empty()) fail(read.fault);
+  return static_cast<std::uint64_t>(read.value);
 }
 
 void TextScanner::fail(const std::string& what, const std::string& remedy) const {

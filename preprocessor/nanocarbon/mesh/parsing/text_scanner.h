@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "nanocarbon/mesh/parsing/number_words.h"
+
 namespace nanocarbon::mesh {
 
 //! \throw UserError (malformed): "file:line: what; remedy"
@@ -59,6 +61,8 @@ class TextScanner {
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
+  std::string_view number_word(const char* what);  // fails where there is none
+
   std::string_view text_;
   std::string file_;
   Syntax syntax_;
@@ -68,13 +72,5 @@ class TextScanner {
   std::size_t lines_in_current_ = 1;
   std::string_view line_;
 };
-
-//! \brief A coordinate that has been read as text or binary: finite, and small enough that areas and
-//! volumes are finite.
-//! \return what is wrong with it, or nullptr
-const char* coordinate_fault(double value);
-
-//! Text for a message: shortened, with unprintable bytes replaced.
-std::string quoted(std::string_view text);
 
 }  // namespace nanocarbon::mesh

@@ -9,6 +9,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/text_numbers.h"
+#include "nanocarbon/mesh/parsing/number_words.h"
 #include "nanocarbon/mesh/parsing/text_scanner.h"
 
 namespace nanocarbon::mesh {
@@ -45,8 +46,7 @@ std::string_view ValueCursor::line() {
 }
 
 double ValueCursor::real(const char* what) {
-  const std::string_view found = word();
-  if (found.empty()) fail(fmt::format("the file ends before the {}", what));
+  const std::string_view found = number_word(what);
   double value = 0.0;
   if (read_real(found, value) != NumberToken::number || !std::isfinite(value))
     fail(fmt::format("the {} {} is not a finite number", what, quoted(found)));
@@ -59,19 +59,22 @@ double ValueCursor::coordinate(const char* what) {
   return value;
 }
 
-std::int64_t ValueCursor::integer(const char* what) {
+std::string_view ValueCursor::number_word(const char* what) {
   const std::string_view found = word();
   if (found.empty()) fail(fmt::format("the file ends before the {}", what));
-  std::int64_t value = 0;
-  if (read_integer(found, value) != NumberToken::number)
-    fail(fmt::format("the {} {} is not a whole number", what, quoted(found)));
-  return value;
+  return found;
+}
+
+std::int64_t ValueCursor::integer(const char* what) {
+  const NumberWord read = integer_word(number_word(what), what);
+  if (!read.fault.empty()) fail(read.fault);
+  return read.value;
 }
 
 std::uint64_t ValueCursor::count(const char* what) {
-  const std::int64_t value = integer(what);
-  if (value < 0) fail(fmt::format("the {} is negative ({})", what, value));
-  return static_cast<std::uint64_t>(value);
+  const NumberWord read = count_word(number_word(what), what);
+  if (!read.fault.empty()) fail(read.fault);
+  return static_cast<std::uint64_t>(read.value);
 }
 
 std::string_view ValueCursor::bytes(std::size_t size, const char* what) {

@@ -47,6 +47,8 @@ class ValueCursor {
   [[noreturn]] void fail(const std::string& what, const std::string& remedy) const;
 
  private:
+  std::string_view number_word(const char* what);  // fails where there is none
+
   std::string_view contents_;
   std::string file_;
   std::size_t at_ = 0;
