@@ -8,6 +8,7 @@
 
 #include "nanocarbon/mesh/formats/mesh_colours.h"
 #include "nanocarbon/mesh/formats/write_mesh.h"
+#include "nanocarbon/mesh/parsing/byte_order.h"
 #include "nanocarbon/mesh/triangulate.h"
 #include "support/grid_files.h"
 #include "support/scene_files.h"
@@ -19,6 +20,20 @@ namespace {
 std::string contents_of(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string binary_off(const TriangleMesh& mesh) {
+  std::string bytes = "OFF BINARY\n";
+  const auto add = [&](auto value) {
+    for (const char byte : mesh::bytes_of(value, mesh::ByteOrder::big)) bytes += byte;
+  };
+  for (const std::size_t count : {mesh.points.size(), mesh.triangles.size(), std::size_t{0}})
+    add(static_cast<std::uint32_t>(count));
+  for (const Vec3& p : mesh.points)
+    for (int d = 0; d < 3; ++d) add(static_cast<float>(p[d]));
+  for (const auto& [a, b, c] : mesh.triangles)
+    for (const std::uint32_t number : {3u, a, b, c, 0u}) add(number);
+  return bytes;
 }
 
 void add_scenes_and_grids(std::vector<Seed>& seeds) {
@@ -104,6 +119,7 @@ std::vector<Seed> mesh_seeds() {
                     "element vertex 8\nproperty double x\nproperty double y\nproperty double z\n"
                     "element face 4\nproperty list uchar int vertex_index\nend_header\n" +
                         ring + "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"});
+  result.push_back({"e.off", binary_off(tetrahedron())});
   add_scenes_and_grids(result);
   return result;
 }

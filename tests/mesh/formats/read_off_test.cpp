@@ -3,7 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cstdint>
+
 #include "nanocarbon/mesh/formats/read_mesh.h"
+#include "nanocarbon/mesh/parsing/byte_order.h"
 #include "support/refusal.h"
 
 namespace nanocarbon::mesh {
@@ -139,10 +143,65 @@ TEST(ReadOff, PromisedCountsAreNotBelieved) {
               HasSubstr("lists 3 of 4000000000"));
 }
 
+//! The tetrahedron as a binary file, with so many further numbers for each vertex.
+std::string binary(const std::string& header, ByteOrder order, std::size_t extra = 0) {
+  std::string bytes = header + "\n";
+  const auto add = [&](auto value) {
+    for (const char byte : bytes_of(value, order)) bytes += byte;
+  };
+  const auto whole = [&](int value) { add(static_cast<std::int32_t>(value)); };
+  for (const int count : {4, 4, 6}) whole(count);
+  for (int v = 0; v < 4; ++v) {
+    for (int d = 1; d <= 3; ++d) add(v == d ? 1.0f : 0.0f);
+    for (std::size_t k = 0; k < extra; ++k) add(0.5f);
+  }
+  int colours = 0;  // of the faces: none, one, two and three numbers
+  for (const std::array<int, 3>& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    whole(3);
+    for (const int corner : face) whole(corner);
+    whole(colours);
+    for (int k = 0; k < colours; ++k) add(0.25f);
+    ++colours;
+  }
+  return bytes;
+}
+
+TEST(ReadOff, BinaryFilesOfAllKindsOfVertices) {
+  expect_tetrahedron(binary("OFF BINARY", ByteOrder::big));
+  expect_tetrahedron("# made by hand\n" + binary("OFF BINARY", ByteOrder::big));
+  expect_tetrahedron(binary("NOFF BINARY", ByteOrder::big, 3));
+  expect_tetrahedron(binary("COFF BINARY", ByteOrder::big, 4));
+  expect_tetrahedron(binary("STOFF BINARY", ByteOrder::big, 2));
+  expect_tetrahedron(binary("STCNOFF BINARY", ByteOrder::big, 9));
+}
+
+TEST(ReadOff, BinaryFilesInTheOtherByteOrderAndWithMoreAreTold) {
+  EXPECT_THAT(parse_mesh(binary("OFF BINARY", ByteOrder::little), "a.off").notes,
+              ElementsAre(HasSubstr("little-endian")));
+  EXPECT_THAT(parse_mesh(binary("OFF BINARY", ByteOrder::big) + "more", "a.off").notes,
+              ElementsAre(HasSubstr("4 bytes")));
+}
+
+TEST(ReadOff, BrokenBinaryFilesAreRefusedWithTheByte) {
+  const std::string whole = binary("OFF BINARY", ByteOrder::big);
+  for (std::size_t length = 11; length < whole.size(); ++length)
+    EXPECT_THAT(refused(whole.substr(0, length)), HasSubstr("the file ends within the ")) << length;
+  const auto with = [&](std::size_t at, const std::string& bytes) {
+    std::string broken = whole;
+    return refused(broken.replace(at, bytes.size(), bytes));
+  };
+  const std::size_t vertices = 11 + 12, faces = vertices + 48;
+  EXPECT_THAT(with(11, "\x7f\xff\xff\xff"), HasSubstr("the file ends within"));  // promised vertices
+  EXPECT_THAT(with(vertices + 4, "\x7f\xc0"), HasSubstr("byte 23: a coordinate of vertex 0 is not finite"));
+  EXPECT_THAT(with(faces + 3, "\2"), HasSubstr("face 0 has 2 corners"));
+  EXPECT_THAT(with(faces, "\x7f"), HasSubstr("the file ends within"));  // promised corners
+  EXPECT_THAT(with(faces + 7, "\4"), HasSubstr("face 0 uses vertex 4, but there are 4"));
+  EXPECT_THAT(with(faces + 16, "\x7f"), HasSubstr("the file ends within"));  // promised colours
+}
+
 TEST(ReadOff, WhatIsNotSupportedIsSaidSo) {
   EXPECT_THAT(refused("4OFF\n3 1 0\n"), HasSubstr("four or n dimensions"));
   EXPECT_THAT(refused("nOFF\n3 3 1 0\n"), HasSubstr("four or n dimensions"));
-  EXPECT_THAT(refused("OFF BINARY\n\1\2\3"), HasSubstr("binary OFF"));
 }
 
 }  // namespace

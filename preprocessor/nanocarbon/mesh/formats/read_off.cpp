@@ -11,7 +11,9 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/text_numbers.h"
+#include "nanocarbon/mesh/formats/read_binary_off.h"
 #include "nanocarbon/mesh/parsing/text_scanner.h"
+#include "nanocarbon/mesh/parsing/value_cursor.h"
 
 namespace nanocarbon::mesh {
 namespace {
@@ -38,22 +40,30 @@ std::size_t header_length(std::string_view text) {
   return text.substr(length).starts_with("OFF") ? length + 3 : 0;
 }
 
-Counts read_counts(TextScanner& scanner) {
+// The header word, empty where there is none; the scanner goes behind it.
+std::string_view read_header(TextScanner& scanner) {
   if (!scanner.next_line()) scanner.fail("the file is empty", "give a mesh file");
-  const std::size_t length = header_length(scanner.rest());
-  if (length != 0) {
-    const std::string_view header = scanner.rest().substr(0, length);
-    if (header.find_first_of("4n") != header.npos)
-      scanner.fail("points in four or n dimensions are not supported", "export a three-dimensional OFF file");
-    // "OFF490 518 0": the ModelNet collection has files without a line end after the header.
-    scanner.give_back(scanner.word().size() - length);
-    if (scanner.rest().find("BINARY") != header.npos)
-      scanner.fail("binary OFF is not supported", "export the mesh as a text OFF or a PLY file");
-    if (scanner.at_line_end() && !scanner.next_line()) scanner.fail("the file ends before the counts");
-  }
+  const std::string_view header = scanner.rest().substr(0, header_length(scanner.rest()));
+  if (header.find_first_of("4n") != header.npos)
+    scanner.fail("points in four or n dimensions are not supported", "export a three-dimensional OFF file");
+  // "OFF490 518 0": the ModelNet collection has files without a line end after the header.
+  if (!header.empty()) scanner.give_back(scanner.word().size() - header.size());
+  return header;
+}
+
+// Numbers of a vertex: its place, and, as the header says, a normal, a colour and a place in a texture.
+std::size_t reals_of_a_vertex(std::string_view header) {
+  const std::string_view parts = header.substr(0, header.size() - 3);
+  return std::size_t{3} + (parts.find('N') != parts.npos ? 3 : 0) + (parts.find('C') != parts.npos ? 4 : 0) +
+         (parts.find("ST") != parts.npos ? 2 : 0);
+}
+
+Counts read_counts(TextScanner& scanner, std::string_view header) {
+  if (!header.empty() && scanner.at_line_end() && !scanner.next_line())
+    scanner.fail("the file ends before the counts");
   const std::uint64_t vertices = scanner.count("number of vertices");
   if (TextScanner next = scanner; scanner.at_line_end() && next.next_line()) scanner = std::move(next);
-  return {vertices, scanner.count("number of faces"), length <= 3};
+  return {vertices, scanner.count("number of faces"), header.size() <= 3};
 }
 
 void read_vertex(TextScanner& scanner, PolygonSoup& soup) {
@@ -154,7 +164,13 @@ bool begins_like_off(std::string_view line) { return header_length(line) != 0; }
 
 PolygonSoup read_off(std::string_view text, const std::string& file) {
   TextScanner scanner(text, file, {});
-  const Counts counts = read_counts(scanner);
+  const std::string_view header = read_header(scanner);
+  if (TextScanner after = scanner; !header.empty() && after.word() == "BINARY") {
+    ValueCursor cursor(text, file);
+    cursor.go_to(after.next_line_offset());
+    return read_binary_off(cursor, reals_of_a_vertex(header));
+  }
+  const Counts counts = read_counts(scanner, header);
   try {
     return read_lines(scanner, counts, text.size());
   } catch (const UserError&) {
