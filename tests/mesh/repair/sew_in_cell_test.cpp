@@ -7,6 +7,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <random>
+#include <string>
+#include <vector>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/measures.h"
@@ -182,6 +185,94 @@ TEST(SewInCell, KeepsHolesAndDropsCaps) {
   EXPECT_EQ(t.components, 2u);
   EXPECT_TRUE(t.closed());
   EXPECT_EQ(t.euler_characteristic, 0);
+}
+
+// Nobody's boundaries meet exactly: scans and simulations move each vertex by itself.
+TEST(SewInCell, TakesNoiseAtTheFacesOfTheCell) {
+  for (const double noise : {0.02, 0.05, 0.1})
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      TriangleMesh mesh = sheet(12, 12);
+      std::mt19937 random(seed);
+      std::normal_distribution<double> by(0, noise / 12);
+      for (Vec3& p : mesh.points) p += Vec3(by(random), by(random), by(random));
+      const SewnSurface sewn = sew_in_cell(mesh, unit_cell);
+      EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << noise;
+      EXPECT_TRUE(mesh_topology(sewn.mesh).manifold()) << noise;
+      EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, 0) << noise;
+    }
+}
+
+// Triangles between two rows of points, each in order.
+void fill(TriangleMesh& mesh, const std::vector<VertexIndex>& low, const std::vector<VertexIndex>& high) {
+  for (std::size_t i = 0, j = 0; i + 1 < low.size() || j + 1 < high.size();) {
+    const bool on_low = j + 1 == high.size() ||
+                        (i + 1 < low.size() && (i + 1) * (high.size() - 1) <= (j + 1) * (low.size() - 1));
+    if (on_low)
+      mesh.triangles.push_back({low[i], low[i + 1], high[j]});
+    else
+      mesh.triangles.push_back({low[i], high[j + 1], high[j]});
+    on_low ? ++i : ++j;
+  }
+}
+
+// A tube of unit length with so many vertices around it at its ends, some way round each, and uneven.
+TriangleMesh tube(int at_bottom, int at_top, double turned, double noise) {
+  TriangleMesh mesh;
+  std::mt19937 random(5);
+  std::normal_distribution<double> by(0, noise);
+  std::vector<VertexIndex> below;
+  for (int ring = 0; ring <= 6; ++ring) {
+    const int n = ring < 3 ? at_bottom : at_top;
+    std::vector<VertexIndex> row;
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * M_PI * (k + (ring == 6 ? turned : 0) + 0.3 * std::sin(k)) / n;
+      row.push_back(static_cast<VertexIndex>(mesh.points.size()));
+      mesh.points.push_back(0.4 * Vec3(std::cos(angle), std::sin(angle) * (1 + 0.3 * std::cos(angle)), 0) +
+                            Vec3(by(random), by(random), ring / 6.0 + by(random)));
+    }
+    row.push_back(row.front());
+    if (ring > 0) fill(mesh, below, row);
+    below = row;
+  }
+  return mesh;
+}
+
+TEST(SewInCell, MeetsBoundariesWithOtherVertices) {
+  const Cell cell = orthogonal_cell({4, 4, 1}, {false, false, true});
+  for (const int at_top : {16, 17, 29, 64})
+    for (const double turned : {0.0, 0.3, 0.5})
+      for (const double noise : {0.0, 0.01}) {
+        const std::string which =
+            std::to_string(at_top) + " " + std::to_string(turned) + " " + std::to_string(noise);
+        const SewnSurface sewn = sew_in_cell(tube(16, at_top, turned, noise), cell);
+        EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << which;
+        EXPECT_TRUE(mesh_topology(sewn.mesh).manifold()) << which;
+        EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, 0) << which;
+        EXPECT_EQ(wrapping_ranks(sewn.mesh, mesh_topology(sewn.mesh)), std::vector<int>{1}) << which;
+      }
+}
+
+// Grids that are padded to be periodic, and files of several cells.
+TEST(SewInCell, DropsWhatIsThereTwice) {
+  for (const int columns : {13, 18, 24, 36}) {
+    TriangleMesh mesh;
+    for (int j = 0; j <= 12; ++j)
+      for (int i = 0; i <= columns; ++i)
+        mesh.points.push_back({i / 12.0, j / 12.0, 0.05 * std::sin(2 * M_PI * i / 12.0)});
+    for (int j = 0; j < 12; ++j)
+      for (int i = 0; i < columns; ++i) {
+        const auto at = [&](int a, int b) { return static_cast<VertexIndex>(b * (columns + 1) + a); };
+        mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+    const SewnSurface sewn = sew_in_cell(mesh, unit_cell);
+    EXPECT_EQ(sewn.mesh.points.size(), 144u) << columns;
+    EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << columns;
+    EXPECT_EQ(sewn.notes.size(), 1u) << columns;
+    // Not where it is something else.
+    for (Vec3& p : mesh.points) p.z() += 0.02 * p.x();
+    EXPECT_THROW(sew_in_cell(mesh, unit_cell), UserError) << columns;
+  }
 }
 
 TEST(SewInCell, SaysWhereABoundaryHasNoPartner) {

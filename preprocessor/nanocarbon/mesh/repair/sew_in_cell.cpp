@@ -17,14 +17,14 @@
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/repair/match_images.h"
+#include "nanocarbon/mesh/repair/zip_seams.h"
 #include "nanocarbon/mesh/winding.h"
 
 namespace nanocarbon::mesh {
 namespace {
 
-// In mean edges: vertices this near to an image are averaged with it, with a note; boundaries this near to the
-// image of another are the same line.
-constexpr double nearly_same = 0.1, same_line = 0.25;
+// In mean edges: boundaries this near to the image of another, in the root mean square, are the same line.
+constexpr double same_line = 0.25;
 // In least widths.
 constexpr double longest_edge = 0.25;
 // Triangles that a mesh is split into at most, and as many more for each that it has: a file of a few lines can ask for
@@ -59,6 +59,7 @@ class Sewing {
   }
 
   SewnSurface run() {
+    drop_copies();
     drop_caps();
     split_long_edges();
     match_vertices();
@@ -87,6 +88,42 @@ class Sewing {
   }
   bool in_face(const Vec3& p, int face, double within) const {
     return std::abs(fractional(p)[face / 2] - face % 2) * face_distances(cell())[face / 2] < within;
+  }
+
+  // What lies beyond the cell and is there a second time: grids padded to be periodic, files of several cells.
+  void drop_copies() {
+    const Vec3 heights = face_distances(cell());
+    std::vector<bool> beyond(mesh_.triangles.size(), false), concerned(mesh_.points.size(), false);
+    std::size_t copies = 0;
+    for (std::size_t t = 0; t < beyond.size(); ++t) {
+      const auto lies_beyond = [&](int d) {
+        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+        for (const VertexIndex v : mesh_.triangles[t]) {
+          const double height = (fractional(mesh_.points[v])[d] - 1) * heights[d];
+          lowest = std::min(lowest, height);
+          highest = std::max(highest, height);
+        }
+        return lowest > -tolerance_ && highest > tolerance_;
+      };
+      for (int d = 0; d < 3; ++d) beyond[t] = beyond[t] || (periodic(d) && lies_beyond(d));
+      if (!beyond[t]) continue;
+      ++copies;
+      for (const VertexIndex v : mesh_.triangles[t]) concerned[v] = true;
+    }
+    if (copies == 0) return;
+    std::vector<bool> kept(mesh_.points.size(), false);
+    for (std::size_t t = 0; t < beyond.size(); ++t)
+      if (!beyond[t])
+        for (const VertexIndex v : mesh_.triangles[t]) kept[v] = true;
+    const NeighbourList same = neighbours_within(mesh_.points, &cell(), tolerance_);
+    for (VertexIndex v = 0; v < concerned.size(); ++v)
+      if (concerned[v] && !kept[v] &&
+          std::none_of(same.of(v).begin(), same.of(v).end(),
+                       [&](const Neighbour& n) { return kept[n.atom]; }))
+        return;
+    std::size_t next = 0;
+    std::erase_if(mesh_.triangles, [&](const Triangle&) { return beyond[next++]; });
+    note(fmt::format("dropped faces beyond the cell that are images of others: {}", copies));
   }
 
   void drop_caps() {
@@ -166,85 +203,18 @@ class Sewing {
     for (const BoundaryEdge& edge : boundary_edges(mesh_)) boundary_.push_back(edge.from);
     std::sort(boundary_.begin(), boundary_.end());
     boundary_.erase(std::unique(boundary_.begin(), boundary_.end()), boundary_.end());
-    ImageMatches matches =
-        match_images(mesh_, cell(), boundary_, tolerance_, std::max(tolerance_, nearly_same * mean_edge_));
-    partner_ = std::move(matches.partners);
-    if (matches.nearly > 0)
-      note(fmt::format("joined boundary vertices that lie up to {:.2g} mean edges from images of others: {}",
-                       matches.farthest / mean_edge_, matches.nearly));
+    partner_ = match_images(mesh_, cell(), boundary_, tolerance_);
   }
 
-  // Boundary vertices without a partner that lie on the image of a boundary edge become vertices of it.
+  // Boundaries that lie along images of others, but have other vertices.
   void zip() {
-    std::size_t zipped = 0;
-    for (int round = 0; round < 64; ++round) {
-      const std::vector<BoundaryEdge> edges = boundary_edges(mesh_);
-      std::vector<VertexIndex> lonely;
-      for (const VertexIndex v : boundary_)
-        if (partner_[v].empty()) lonely.push_back(v);
-      if (lonely.empty() || edges.empty()) break;
-      const std::size_t done = zip_round(edges, lonely);
-      if (done == 0) break;
-      zipped += done;
-    }
-    if (zipped > 0)
+    const ZippedSeams zipped = zip_seams(mesh_, partner_, cell(), same_line * mean_edge_);
+    if (zipped.joined > 0)
+      note(fmt::format("joined boundary vertices that lie up to {:.2g} mean edges from images of others: {}",
+                       zipped.farthest / mean_edge_, zipped.joined));
+    if (zipped.added > 0)
       note(fmt::format("cut the triangles along seams so that their vertices meet: {} vertices added",
-                       zipped));
-  }
-
-  std::size_t zip_round(const std::vector<BoundaryEdge>& edges, const std::vector<VertexIndex>& lonely) {
-    double longest = 0.0;
-    std::vector<Vec3> points;
-    for (const VertexIndex v : lonely) points.push_back(mesh_.points[v]);
-    for (const BoundaryEdge& edge : edges) {
-      points.push_back(0.5 * (mesh_.points[edge.from] + mesh_.points[edge.to]));
-      longest = std::max(longest, (mesh_.points[edge.from] - mesh_.points[edge.to]).norm());
-    }
-    const double reach = same_line * mean_edge_;
-    const NeighbourList near = neighbours_within(points, &cell(), 0.5 * longest + reach);
-    struct Insertion {
-      double along;
-      VertexIndex vertex;
-      Vec3 point;
-    };
-    std::map<std::size_t, std::vector<Insertion>> insertions;  // by edge
-    for (std::uint32_t i = 0; i < lonely.size(); ++i) {
-      double best = reach;
-      std::optional<std::pair<std::size_t, Insertion>> found;
-      for (const Neighbour& n : near.of(i)) {
-        if (n.atom < lonely.size() || n.image == std::array<std::int32_t, 3>{0, 0, 0}) continue;
-        const BoundaryEdge& edge = edges[n.atom - lonely.size()];
-        const Vec3 shift = image_shift(cell(), n.image);
-        const Vec3 from = mesh_.points[edge.from] + shift,
-                   side = mesh_.points[edge.to] - mesh_.points[edge.from];
-        const double along = (points[i] - from).dot(side) / side.squaredNorm();
-        if (along <= 0.0 || along >= 1.0) continue;
-        const double distance = (from + along * side - points[i]).norm();
-        if (distance >= best) continue;
-        best = distance;
-        found = {n.atom - lonely.size(), {along, lonely[i], points[i] - shift}};
-      }
-      if (found) insertions[found->first].push_back(found->second);
-    }
-    std::size_t done = 0;
-    std::vector<bool> touched(mesh_.triangles.size(), false);
-    for (auto& [e, list] : insertions) {
-      if (touched[edges[e].face]) continue;
-      touched[edges[e].face] = true;
-      std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.along < b.along; });
-      std::vector<VertexIndex> vertices;
-      for (const Insertion& insertion : list) {
-        const auto v = static_cast<VertexIndex>(mesh_.points.size());
-        mesh_.points.push_back(insertion.point);
-        partner_.push_back({insertion.vertex});
-        partner_[insertion.vertex].push_back(v);
-        boundary_.push_back(v);
-        vertices.push_back(v);
-      }
-      insert(edges[e].face, edges[e].side, vertices);
-      done += vertices.size();
-    }
-    return done;
+                       zipped.added));
   }
 
   void require_partners() const {
@@ -359,7 +329,7 @@ class Sewing {
   Mat3 to_fractional_;
   double mean_edge_ = 0.0, tolerance_ = 0.0;
   std::vector<VertexIndex> boundary_;
-  std::vector<std::vector<VertexIndex>> partner_;  // of each vertex, those on images of it
+  Partners partner_;
   SewnSurface result_;
 };
 
