@@ -34,6 +34,11 @@ TEST(LargeBuild, AnyNumberOfThreadsGivesTheSameBitsOfADraft) {
   expect_same_bits(shapes::make_torus(3, 1.2, 0.15), 9000, Quality::draft);
 }
 
+// From 20,000 atoms on places are relaxed on their own.
+TEST(LargeBuild, AnyNumberOfThreadsGivesTheSameBitsOfALargeDraft) {
+  expect_same_bits(shapes::make_torus(3, 1.2, 0.15), 21000, Quality::draft);
+}
+
 TEST(LargeBuild, AnyNumberOfThreadsGivesTheSameBitsOfAGoodMolecule) {
   expect_same_bits(shapes::make_torus(3, 1.2, 0.15), 3000, Quality::good);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "nanocarbon/annealing/local_relaxation.h"
 #include "nanocarbon/minimisation/multilevel/sheet_preconditioner.h"
 
 namespace nanocarbon::annealing {
@@ -13,6 +14,10 @@ namespace {
 
 // A preconditioner costs about as much as so many iterations to set up: not worth it for a short relaxation.
 constexpr int least_iterations = 50;
+
+// From so many atoms on the last places to come to rest are relaxed on their own, between so many iterations of all.
+constexpr std::size_t least_large = 20000;
+constexpr int between_places = 40;
 
 // One for each atom. Those at the boundary are held across the surface: nothing else holds a flat sheet in its plane,
 // where without it the preconditioner would move it far away.
@@ -41,6 +46,39 @@ void hold_boundary(FixedBondModel& model, const TetherSurface& surface, std::spa
                              model.reach + free_reach);
 }
 
+// Atoms with a force of at least so much; ascending.
+std::vector<AtomIndex> forced_atoms(FixedBondModel& model, std::span<const Vec3> positions, double force) {
+  std::vector<Vec3> gradient(positions.size(), Vec3::Zero());
+  model.evaluate(positions, gradient);
+  std::vector<AtomIndex> forced;
+  for (AtomIndex a = 0; a < positions.size(); ++a)
+    if (!(gradient[a].squaredNorm() < force * force)) forced.push_back(a);
+  return forced;
+}
+
+// Relaxes the places where forces are left on their own, and what that leaves around them.
+void relax_places(FixedBondModel& model, std::vector<Vec3>& positions, double force_tolerance) {
+  constexpr int rounds = 4;
+  ThreadTeam* const team = model.running.team;
+  std::vector<AtomIndex> forced = forced_atoms(model, positions, force_tolerance);
+  for (int round = 0; round < rounds && !forced.empty(); ++round) {
+    const bool free_mean = model.free_mean && !model.planes.empty();
+    const LocalRelaxation done =
+        relax_around({.graph = model.rebo2.graph(),
+                      .contacts = model.contacts,
+                      .planes = model.planes,
+                      .tether = model.tether,
+                      .mean_height = free_mean ? mean_height(model.planes, positions, team) : 0,
+                      .edges = model.edges,
+                      .reach = model.reach},
+                     positions, forced, 0.5 * force_tolerance, team);
+    if (done.pieces == 0) break;
+    std::vector<AtomIndex> left = forced_atoms(model, positions, force_tolerance);
+    if (left.size() >= forced.size()) break;
+    forced = std::move(left);
+  }
+}
+
 }  // namespace
 
 double FixedBondModel::evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient) {
@@ -59,6 +97,8 @@ minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const Teth
   if (positions.size() >= multilevel::least_atoms && options.max_iterations >= least_iterations)
     preconditioner.emplace(model.rebo2.graph().space, positions, bonded_atoms(model.rebo2.graph()),
                            model.running.team);
+  const bool in_places =
+      preconditioner && positions.size() >= least_large && !model.rebo2.graph().space.periodic();
   minimisation::LbfgsResult result;
   int iterations = 0;
   do {
@@ -66,6 +106,7 @@ minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const Teth
       model.planes = tangent_planes(*surface, positions, model.planes, model.running.team);
       hold_boundary(model, *surface, positions);
     }
+    if (in_places) relax_places(model, positions, options.force_tolerance);
     // The normals change little on the way.
     if (preconditioner && iterations == 0) preconditioner->renew(positions, holds_of(model));
     minimisation::LbfgsOptions part = options;
@@ -73,6 +114,7 @@ minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const Teth
     part.team = model.running.team;
     part.preconditioner = preconditioner ? &*preconditioner : nullptr;
     if (surface) part.max_iterations = std::min(part.max_iterations, renewal);
+    if (in_places) part.max_iterations = std::min(part.max_iterations, between_places);
     result = minimisation::minimise_lbfgs(positions, energy, part);
     iterations += std::max(result.iterations, 1);
     // Planes renewed after convergence would move the minimum by a little: the caller's tolerance has been

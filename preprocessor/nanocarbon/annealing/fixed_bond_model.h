@@ -27,7 +27,9 @@ struct FixedBondModel {
   double evaluate(std::span<const Vec3> positions, std::span<Vec3> gradient);
 };
 
-//! Minimises the model's energy over all positions, renewing the tangent planes every `renewal` iterations.
+//! \brief Minimises the model's energy over all positions, renewing the tangent planes every `renewal` iterations.
+//! \details In molecules of 20,000 atoms and more places that still feel forces are relaxed on their own in between
+//! (local_relaxation.h); only what is done to the whole counts as iterations.
 minimisation::LbfgsResult minimise_fixed_bonds(FixedBondModel& model, const TetherSurface* surface,
                                                std::vector<Vec3>& positions,
                                                const minimisation::LbfgsOptions& options, int renewal = 40);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "nanocarbon/annealing/harmonic_pair.h"
+#include "nanocarbon/annealing/network_springs.h"
 
 namespace nanocarbon::annealing {
 

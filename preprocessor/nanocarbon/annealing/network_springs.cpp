@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/annealing/network_springs.h"
 
-#include <algorithm>
-
-#include "nanocarbon/annealing/harmonic_pair.h"
-
 namespace nanocarbon::annealing {
 
 namespace {

@@ -118,6 +118,31 @@ TEST(SheetPreconditioner, TakesMoleculesOfAnyKind) {
   EXPECT_NEAR((step.back() - right.back()).norm(), 0, 1e-5);
 }
 
+// No spring resists that: rounding would send them anywhere.
+TEST(SheetPreconditioner, LeavesLargeMoleculesWhereTheyAreAsAWhole) {
+  const Molecule molecule = structures::fullerene(19, 19);
+  ASSERT_GE(molecule.size(), 20000u);
+  const SheetPreconditioner preconditioner = preconditioner_of(molecule);
+  const std::vector<Vec3> gradient = waves(molecule.size(), 0);
+  std::vector<Vec3> step(gradient.size());
+  preconditioner.apply(gradient, step);
+  Vec3 centre = Vec3::Zero(), shift = Vec3::Zero(), turn = Vec3::Zero();
+  const auto n = static_cast<double>(step.size());
+  for (const Vec3& p : molecule.positions) centre += p / n;
+  double size = 0, size_of_turn = 0;
+  for (std::size_t a = 0; a < step.size(); ++a) {
+    const Vec3 arm = molecule.positions[a] - centre;
+    shift += step[a];
+    turn += arm.cross(step[a]);
+    size += step[a].norm();
+    size_of_turn += arm.norm() * step[a].norm();
+  }
+  EXPECT_GT(size / n, 1e-4);
+  EXPECT_LT(shift.norm(), 1e-9 * size);
+  EXPECT_LT(turn.norm(), 1e-9 * size_of_turn);
+  EXPECT_GT(dot(gradient, step), 0);
+}
+
 // No spring ties them to each other, and a small force between them must not send them off.
 TEST(SheetPreconditioner, MovesComponentsByLittle) {
   Molecule shells = structures::fullerene(8, 8);

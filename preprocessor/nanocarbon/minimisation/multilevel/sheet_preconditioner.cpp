@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/minimisation/multilevel/sheet_preconditioner.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,62 @@ constexpr double least_coarsening = 0.8;
 
 // Springs that have turned or stretched by more than this are out of date, Angstrom.
 constexpr double most_strain = 0.5;
+
+// Rigid motions are left out of steps from so many atoms on; smaller molecules are brought back afterwards.
+constexpr std::size_t least_still = 20000;
+
+// Translations and turns about the centre, which no spring resists.
+class RigidPart {
+ public:
+  struct Motion {
+    Vec3 shift = Vec3::Zero(), turn = Vec3::Zero();
+  };
+
+  void set(std::span<const Vec3> positions, ThreadTeam* team) {
+    positions_ = positions;
+    centre_ = sum(team, [&](std::size_t a) { return positions[a]; }) / static_cast<double>(positions.size());
+    Mat3 inertia = Mat3::Zero();
+    for (const Vec3& p : positions) {
+      const Vec3 arm = p - centre_;
+      inertia += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
+    inverse_.setZero();
+    for (int k = 0; k < 3; ++k)
+      if (axes.eigenvalues()[k] > 1e-9 * axes.eigenvalues()[2])
+        inverse_ +=
+            axes.eigenvectors().col(k) * axes.eigenvectors().col(k).transpose() / axes.eigenvalues()[k];
+  }
+
+  //! The motion that is nearest to a displacement of all atoms.
+  template <typename Displacement>
+  Motion of(const Displacement& displacement, ThreadTeam* team) const {
+    Motion motion;
+    motion.shift = sum(team, displacement) / static_cast<double>(positions_.size());
+    motion.turn = inverse_ * sum(team, [&](std::size_t a) -> Vec3 {
+                    return (positions_[a] - centre_).cross(displacement(a));
+                  });
+    return motion;
+  }
+  Vec3 at(const Motion& motion, std::size_t atom) const {
+    return motion.shift + motion.turn.cross(positions_[atom] - centre_);
+  }
+
+ private:
+  template <typename Of>
+  Vec3 sum(ThreadTeam* team, const Of& of) const {
+    std::vector<Vec3> parts(chunks_of(positions_.size()), Vec3::Zero());
+    for_chunks(team, positions_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t a = begin; a < end; ++a) parts[begin / chunk_size] += of(a);
+    });
+    Vec3 whole = Vec3::Zero();
+    for (const Vec3& part : parts) whole += part;
+    return whole;
+  }
+  std::span<const Vec3> positions_;
+  Vec3 centre_ = Vec3::Zero();
+  Mat3 inverse_ = Mat3::Zero();  // of the inertia
+};
 
 struct Level {
   NodeGraph pattern;
@@ -119,6 +177,12 @@ struct SheetPreconditioner::Levels {
   Displacements coarsest_right, coarsest_solution;
   std::vector<Vec3> reference;  // positions that the springs are of, as they come
   Holds holds;                  // as they come
+  RigidPart rigid;              // about the reference
+
+  // Whether nothing says where the molecule is.
+  bool floats() const {
+    return connected && holds.empty() && !space.periodic() && reference.size() >= least_still;
+  }
 
   void build(std::span<const Vec3> positions, const SheetStiffness& stiffness) {
     order = compact_order(bonds);
@@ -157,6 +221,7 @@ struct SheetPreconditioner::Levels {
   }
 
   void renew() {
+    if (floats()) rigid.set(reference, team);
     springs.set(space, in_order(reference), in_order(holds));
     std::vector<Block> blocks;
     RowOf row_of = [&](std::size_t node, std::vector<Block>& row) { springs.row(node, row); };
@@ -230,10 +295,17 @@ void SheetPreconditioner::apply(std::span<const Vec3> gradient, std::span<Vec3> 
   const std::vector<std::uint32_t>& order = levels_->order;
   const bool direct = levels_->all.empty();
   Displacements& right = direct ? levels_->coarsest_right : levels_->all.front().right;
+  // From both sides, so that the operator stays symmetric.
+  const bool floats = levels_->floats();
+  const RigidPart& rigid = levels_->rigid;
+  RigidPart::Motion pull;
+  if (floats) pull = rigid.of([&](std::size_t a) { return gradient[a]; }, levels_->team);
   for_chunks(levels_->team, order.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t place = begin; place < end; ++place)
-      for (int d = 0; d < 3; ++d)
-        right[3 * place + static_cast<std::size_t>(d)] = static_cast<float>(gradient[order[place]][d]);
+    for (std::size_t place = begin; place < end; ++place) {
+      Vec3 g = gradient[order[place]];
+      if (floats) g -= rigid.at(pull, order[place]);
+      for (int d = 0; d < 3; ++d) right[3 * place + static_cast<std::size_t>(d)] = static_cast<float>(g[d]);
+    }
   });
   levels_->cycle();
   const Displacements& solution = direct ? levels_->coarsest_solution : levels_->all.front().solution;
@@ -241,6 +313,11 @@ void SheetPreconditioner::apply(std::span<const Vec3> gradient, std::span<Vec3> 
     for (std::size_t place = begin; place < end; ++place)
       for (int d = 0; d < 3; ++d)
         step[order[place]][d] = static_cast<double>(solution[3 * place + static_cast<std::size_t>(d)]);
+  });
+  if (!floats) return;
+  const RigidPart::Motion drift = rigid.of([&](std::size_t a) { return step[a]; }, levels_->team);
+  for_chunks(levels_->team, step.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t a = begin; a < end; ++a) step[a] -= rigid.at(drift, a);
   });
 }
 
