@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // For libFuzzer, run by run.sh: fuzz_potential_rebo, fuzz_potential_airebo, fuzz_potential_airebo_m, for parameter
-// files of LAMMPS (FUZZED_READER).
+// files of LAMMPS.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include <string>
 
 #include "fuzz/memory_file.h"
+#include "fuzz/program_name.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/potential/airebo/parameter_file.h"
 #include "nanocarbon/potential/rebo2/parameter_file.h"
@@ -34,29 +35,35 @@ void require_finite(const nanocarbon::rebo2::Rebo2Parameters& parameters) {
   require_finite(parameters.hydrogen);
 }
 
-[[maybe_unused]] void rebo(const std::string& path) {
-  require_finite(nanocarbon::rebo2::read_rebo2_parameters(path));
-}
-[[maybe_unused]] void airebo_of(const std::string& path, nanocarbon::airebo::LjForm form) {
+void read_rebo(const std::string& path) { require_finite(nanocarbon::rebo2::read_rebo2_parameters(path)); }
+
+void read_airebo(const std::string& path, nanocarbon::airebo::LjForm form) {
   const nanocarbon::airebo::AireboParameters parameters =
       nanocarbon::airebo::read_airebo_parameters(path, form);
   require_finite(parameters.rebo);
   require_finite(parameters.long_range);
   require_finite(parameters.torsion);
 }
-[[maybe_unused]] void airebo(const std::string& path) {
-  airebo_of(path, nanocarbon::airebo::LjForm::lennard_jones);
-}
-[[maybe_unused]] void airebo_m(const std::string& path) {
-  airebo_of(path, nanocarbon::airebo::LjForm::morse);
+
+std::string potential;
+
+void read(const std::string& path) {
+  using nanocarbon::airebo::LjForm;
+  if (potential == "rebo") return read_rebo(path);
+  read_airebo(path, potential == "airebo" ? LjForm::lennard_jones : LjForm::morse);
 }
 
 }  // namespace
 
+extern "C" int LLVMFuzzerInitialize(int*, char*** arguments) {
+  potential = nanocarbon::test::fuzzed_by(**arguments);
+  return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const nanocarbon::test::MemoryFile file(data, size);
   try {
-    FUZZED_READER(file.path());
+    read(file.path());
   } catch (const nanocarbon::UserError& error) {
     if (std::string(error.what()).find(file.path()) == std::string::npos) {
       std::fprintf(stderr, "the message does not name the file: %s\n", error.what());
