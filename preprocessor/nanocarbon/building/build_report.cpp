@@ -8,7 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
+#include "nanocarbon/building/gaussian_curvature_kept.h"
 #include "nanocarbon/core/version.h"
 #include "nanocarbon/mesh/distance.h"
 #include "nanocarbon/mesh/edge_table.h"
@@ -135,6 +137,8 @@ Json boundary_json(const BuildResult& result, const BuildOptions& options) {
                {"armchair", static_cast<double>(units.armchair) / atoms},
                {"other", static_cast<double>(units.others()) / atoms},
                {"chains_by_size", chains}};
+  const std::optional<double> kept = gaussian_curvature_kept(result.triangulation, result.surface.mesh);
+  json["gaussian_curvature_kept"] = kept ? Json(*kept) : Json();
   if (result.boundary) {
     json["energy"] = result.boundary->energy;
     json["energy_per_length"] = result.boundary->energy / std::max(units.length, 1e-9);
@@ -300,6 +304,9 @@ std::string report_table(const Json& report) {
     if (b.contains("energy"))
       boundary +=
           fmt::format("; {:.3f} eV/A above graphene and benzene's C-H", b["energy_per_length"].get<double>());
+    if (!b["gaussian_curvature_kept"].is_null())
+      boundary += fmt::format("; {:.0f}% of the shape's Gaussian curvature kept",
+                              100 * b["gaussian_curvature_kept"].get<double>());
     line("boundary", boundary);
   }
   const auto lengths = [&](const char* key) {

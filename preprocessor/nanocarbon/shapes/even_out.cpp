@@ -19,10 +19,11 @@ std::vector<bool> on_boundary(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Vec3 onto_surface(const ImplicitShape& shape, Vec3 point, double edge) {
+Vec3 onto_surface(const ImplicitSlope& shape, Vec3 point, double edge) {
   for (int step = 0; step < 8; ++step) {
-    const Vec3 uphill = gradient(shape, point, 1e-4 * edge);
-    Vec3 move = -shape(point) / std::max(uphill.squaredNorm(), 1e-300) * uphill;
+    Vec3 uphill;
+    const double height = shape(point, uphill);
+    Vec3 move = -height / std::max(uphill.squaredNorm(), 1e-300) * uphill;
     if (move.norm() > 0.5 * edge) move *= 0.5 * edge / move.norm();
     point += move;
     if (move.norm() < 1e-10 * edge) break;
@@ -31,6 +32,14 @@ Vec3 onto_surface(const ImplicitShape& shape, Vec3 point, double edge) {
 }
 
 void even_out(TriangleMesh& mesh, const ImplicitShape& shape, double edge, int rounds) {
+  const ImplicitSlope by_differences = [&](const Vec3& point, Vec3& slope) {
+    slope = gradient(shape, point, 1e-4 * edge);
+    return shape(point);
+  };
+  even_out(mesh, by_differences, edge, rounds);
+}
+
+void even_out(TriangleMesh& mesh, const ImplicitSlope& shape, double edge, int rounds) {
   const std::vector<bool> stays = on_boundary(mesh);
   for (int round = 0; round < rounds; ++round) {
     std::vector<Vec3> sum(mesh.points.size(), Vec3::Zero());

@@ -11,6 +11,9 @@ namespace nanocarbon::shapes {
 //! the surface.
 using ImplicitShape = std::function<double(const Vec3&)>;
 
+//! The same, which sets its gradient as well.
+using ImplicitSlope = std::function<double(const Vec3& point, Vec3& gradient)>;
+
 //! Distance to a segment's axis less the radius: a capsule.
 double capsule_distance(const Vec3& point, const Vec3& from, const Vec3& to, double radius);
 

@@ -36,7 +36,8 @@ class Grid {
   }
   const Place& steps() const { return steps_; }
   std::int64_t node(Place p) const {
-    for (int d = 0; d < 3; ++d) p[d] %= nodes_[d];
+    for (int d = 0; d < 3; ++d)
+      if (p[d] >= nodes_[d]) p[d] %= nodes_[d];
     return p[0] + nodes_[0] * (p[1] + nodes_[1] * p[2]);
   }
   Vec3 point(const Place& p) const {
@@ -68,7 +69,8 @@ class Marcher {
     const Place& steps = grid_.steps();
     for (std::int64_t k = 0; k < steps[2]; ++k)
       for (std::int64_t j = 0; j < steps[1]; ++j)
-        for (std::int64_t i = 0; i < steps[0]; ++i)
+        for (std::int64_t i = 0; i < steps[0]; ++i) {
+          if (!is_met({i, j, k})) continue;
           for (int order = 0; order < 6; ++order) {
             std::array<Corner, 4> corners;
             corners[0] = corner({i, j, k});
@@ -79,6 +81,7 @@ class Marcher {
             }
             add(corners, order < 3);
           }
+        }
     return std::move(mesh_);
   }
 
@@ -88,6 +91,14 @@ class Marcher {
     bool inside;
   };
   Corner corner(const Place& place) const { return {place, values_[grid_.node(place)] < 0.0}; }
+
+  // Whether the surface passes between the eight nodes from one on.
+  bool is_met(const Place& first) const {
+    int inside = 0;
+    for (int c = 0; c < 8; ++c)
+      inside += values_[grid_.node({first[0] + (c & 1), first[1] + (c >> 1 & 1), first[2] + (c >> 2)})] < 0.0;
+    return inside % 8 != 0;
+  }
 
   void add(std::array<Corner, 4>& v, bool positive) {
     // Those inside first; an odd permutation turns the tetrahedron.
@@ -131,7 +142,8 @@ class Marcher {
 
 }  // namespace
 
-TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, double edge) {
+TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, double edge,
+                                const ImplicitSlope& slope) {
   if (!(edge > 0.0)) throw UserError(Failure::usage, "the edge must be above zero");
   const Grid grid(cell, edge);
   if (grid.size() > 5e7)
@@ -147,7 +159,11 @@ TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, do
                     "there is no surface in the cell: the function has the same sign everywhere, or the edge "
                     "is too long to show the surface");
   mesh.space = Space(cell);
-  even_out(mesh, shape, edge, 12);
+  constexpr int rounds = 12;
+  if (slope)
+    even_out(mesh, slope, edge, rounds);
+  else
+    even_out(mesh, shape, edge, rounds);
   return mesh;
 }
 

@@ -14,6 +14,8 @@ namespace nanocarbon::shapes {
 //! \param shape below zero inside; the same at a point and its images
 //! \param edge about the length of the mesh's edges; shorter where the cell is narrow
 //! \throw UserError (usage) where the grid would have more than 50 million points, or the shape is not met
-TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, double edge);
+//! \param slope the shape with its gradient, if that is known: it is faster then
+TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, double edge,
+                                const ImplicitSlope& slope = {});
 
 }  // namespace nanocarbon::shapes

@@ -43,6 +43,21 @@ TriangleMesh two_spheres() {
 
 TEST(Advice, SolidsThatOverlapAreUnited) { EXPECT_EQ(advised(soup_of(two_spheres())), "--unite"); }
 
+// As STL files have them: boxes that overlap in a row, so that faces of one lie on faces of the other.
+TEST(Advice, SolidsThatShareFacesAreUnitedInFormatsWithoutSharedVertices) {
+  const TriangleMesh boxes =
+      test::together(triangulate(test::cube()).mesh, triangulate(test::cube({0.5, 0, 0})).mesh);
+  PolygonSoup faces;
+  for (const Triangle& t : boxes.triangles) {
+    for (const VertexIndex v : t) {
+      faces.corners.push_back(static_cast<VertexIndex>(faces.points.size()));
+      faces.points.push_back(boxes.points[v]);
+    }
+    faces.close_face();
+  }
+  EXPECT_EQ(advised(faces), "--unite");
+}
+
 TEST(Advice, TheirSmallHolesAreClosedFirst) {
   TriangleMesh mesh = two_spheres();
   mesh.triangles.erase(mesh.triangles.begin());

@@ -158,7 +158,9 @@ TEST(Unite, SolidsThatShareTheEdgesAlongWhichTheyCross) {
 
 // In one row: they have faces in common that are one face once all is joined.
 TEST(Unite, SolidsThatShareFaces) {
-  expect_union(together(fine_cube({0, 0, 0}, 2), fine_cube({0.5, 0, 0}, 2)), 1.5, "in pieces");
+  const PolygonSoup cubes = together(fine_cube({0, 0, 0}, 2), fine_cube({0.5, 0, 0}, 2));
+  expect_union(cubes, 1.5, "in pieces");
+  expect_union(apart(cubes), 1.5, "face by face");
 }
 
 // Vertices at the same places alone make no crossing.

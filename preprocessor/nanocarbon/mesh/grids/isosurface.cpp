@@ -103,16 +103,11 @@ class Interpolant {
     std::array<std::array<double, 4>, 3> weight{};
     std::array<std::size_t, 3> first{}, last{};
     for (std::size_t d = 0; d < 3; ++d) {
-      double low = std::floor(at[static_cast<int>(d)]);
-      double t = at[static_cast<int>(d)] - low;
-      if (t > 1 - 1e-7) low += 1, t = 0;
-      if (t < 1e-7) t = 0;
+      double t = set_nodes(at, d, node[d]);
       // At a value itself the others do not count.
       first[d] = t == 0 ? 1 : 0;
       last[d] = t == 0 ? 2 : 4;
-      weight[d] = {0.5 * t * (-1 + t * (2 - t)), 1 + 0.5 * t * t * (-5 + 3 * t),
-                   0.5 * t * (1 + t * (4 - 3 * t)), 0.5 * t * t * (-1 + t)};
-      for (std::size_t k = 0; k < 4; ++k) node[d][k] = node_of(low + static_cast<double>(k) - 1, d);
+      weight[d] = weights(t);
     }
     double sum = 0.0;
     for (std::size_t k = first[2]; k < last[2]; ++k)
@@ -125,7 +120,54 @@ class Interpolant {
     return sum;
   }
 
+  // The same, and the slope there.
+  double operator()(const Vec3& point, Vec3& slope) const {
+    const Vec3 at = index(point);
+    std::array<std::array<std::size_t, 4>, 3> node{};
+    std::array<std::array<double, 4>, 3> weight{}, rise{};
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double t = set_nodes(at, d, node[d]);
+      weight[d] = weights(t);
+      rise[d] = {0.5 * (-1 + t * (4 - 3 * t)), 0.5 * t * (-10 + 9 * t), 0.5 * (1 + t * (8 - 9 * t)),
+                 0.5 * t * (-2 + 3 * t)};
+    }
+    double sum = 0.0;
+    Vec3 along = Vec3::Zero();  // the grid's edges
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t j = 0; j < 4; ++j) {
+        double row = 0.0, rises = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+          const double value = field_.at(node[0][i], node[1][j], node[2][k]);
+          row += weight[0][i] * value;
+          rises += rise[0][i] * value;
+        }
+        sum += weight[2][k] * weight[1][j] * row;
+        along += Vec3(weight[2][k] * weight[1][j] * rises, weight[2][k] * rise[1][j] * row,
+                      rise[2][k] * weight[1][j] * row);
+      }
+    slope = inverse_.transpose() * along;
+    return sum;
+  }
+
+  // How fast a step along an edge of the grid is gone.
+  Vec3 steps_along(int d) const { return inverse_.row(d); }
+
  private:
+  static std::array<double, 4> weights(double t) {
+    return {0.5 * t * (-1 + t * (2 - t)), 1 + 0.5 * t * t * (-5 + 3 * t), 0.5 * t * (1 + t * (4 - 3 * t)),
+            0.5 * t * t * (-1 + t)};
+  }
+
+  // The four values around a place along an edge, and where between the middle two it is.
+  double set_nodes(const Vec3& at, std::size_t d, std::array<std::size_t, 4>& node) const {
+    double low = std::floor(at[static_cast<int>(d)]);
+    double t = at[static_cast<int>(d)] - low;
+    if (t > 1 - 1e-7) low += 1, t = 0;
+    if (t < 1e-7) t = 0;
+    for (std::size_t k = 0; k < 4; ++k) node[k] = node_of(low + static_cast<double>(k) - 1, d);
+    return t;
+  }
+
   std::size_t node_of(double index, std::size_t d) const {
     const auto n = static_cast<double>(period_[d]);
     if (periodic_[d]) index -= n * std::floor(index / n);
@@ -218,9 +260,25 @@ PolygonSoup isosurface(const ScalarField& field, const FieldRequest& request, co
     }
     return value;
   };
+  const shapes::ImplicitSlope slope = [&](const Vec3& point, Vec3& gradient) {
+    double value = sign * (interpolant(point, gradient) - level);
+    gradient *= sign;
+    if (!closed) return value;
+    const Vec3 at = interpolant.index(point);
+    for (int d = 0; d < 3; ++d) {
+      if (request.periodic[static_cast<std::size_t>(d)]) continue;
+      const double last = static_cast<double>(period[static_cast<std::size_t>(d)]) - 1;
+      const bool low = -at[d] > at[d] - last;
+      const double beyond = widths[d] * ((low ? -at[d] : at[d] - last) - 0.5);
+      if (beyond <= value) continue;
+      value = beyond;
+      gradient = (low ? -widths[d] : widths[d]) * interpolant.steps_along(d);
+    }
+    return value;
+  };
   TriangleMesh mesh;
   try {
-    mesh = shapes::polygonise_in_cell(shape, cell, edge);
+    mesh = shapes::polygonise_in_cell(shape, cell, edge, slope);
   } catch (const UserError& error) {
     throw UserError(error.failure(), fmt::format("{}: {}", file, error.what()));
   }

@@ -2,9 +2,11 @@
 #include "nanocarbon/mesh/solid/repair_solids.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 #include "nanocarbon/core/disjoint_sets.h"
@@ -35,6 +37,27 @@ std::vector<std::vector<FaceIndex>> pieces_of(const PolygonSoup& soup) {
   return pieces;
 }
 
+// The same where the format knows no shared vertices but lists one solid after the other: a piece ends where all edges
+// have been met an even number of times, so that it is closed.
+std::vector<std::vector<FaceIndex>> closed_runs(const PolygonSoup& soup) {
+  const std::vector<VertexIndex> place = coincident_points(soup.points).representative;
+  std::unordered_set<std::uint64_t> open;  // edges
+  std::vector<std::vector<FaceIndex>> pieces;
+  for (FaceIndex face = 0; face < soup.faces(); ++face) {
+    if (open.empty()) pieces.emplace_back();
+    if (pieces.size() > most_pieces) return {};
+    pieces.back().push_back(face);
+    const auto corners = soup.face(face);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto [low, high] = std::minmax({place[corners[k]], place[corners[(k + 1) % corners.size()]]});
+      const std::uint64_t edge = std::uint64_t{low} << 32 | high;
+      if (low != high && !open.insert(edge).second) open.erase(edge);
+    }
+  }
+  if (pieces.size() < 2 || !open.empty()) pieces.clear();
+  return pieces;
+}
+
 PolygonSoup soup_of_faces(const PolygonSoup& soup, const std::vector<FaceIndex>& faces) {
   PolygonSoup part;
   std::map<VertexIndex, VertexIndex> renumbered;
@@ -61,9 +84,11 @@ void add_new(std::vector<std::string>& repairs, const std::vector<std::string>& 
     if (std::find(repairs.begin(), repairs.end(), repair) == repairs.end()) repairs.push_back(repair);
 }
 
-std::optional<RepairedSolids> piece_by_piece(const PolygonSoup& soup, double close_holes) {
+std::optional<RepairedSolids> piece_by_piece(const PolygonSoup& soup,
+                                             const std::vector<std::vector<FaceIndex>>& pieces,
+                                             double close_holes) {
   RepairedSolids solids{{}, soup.notes, true};
-  for (const std::vector<FaceIndex>& faces : pieces_of(soup)) {
+  for (const std::vector<FaceIndex>& faces : pieces) {
     const RepairedSurface piece = repair_surface(soup_of_faces(soup, faces), close_holes);
     const MeshTopology& topology = piece.diagnosis.topology;
     if (!topology.manifold() || !topology.closed() || piece.mesh.triangles.empty()) return {};
@@ -77,7 +102,8 @@ std::optional<RepairedSolids> piece_by_piece(const PolygonSoup& soup, double clo
 }  // namespace
 
 RepairedSolids repair_solids(const PolygonSoup& soup, double close_holes) {
-  if (auto solids = piece_by_piece(soup, close_holes)) return *std::move(solids);
+  if (auto solids = piece_by_piece(soup, pieces_of(soup), close_holes)) return *std::move(solids);
+  if (auto solids = piece_by_piece(soup, closed_runs(soup), close_holes)) return *std::move(solids);
   RepairedSurface all = repair_surface(soup, close_holes, CrossingSheets::go_on);
   return {std::move(all.mesh), std::move(all.repairs), all.diagnosis.topology.manifold()};
 }

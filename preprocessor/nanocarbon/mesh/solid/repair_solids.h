@@ -18,9 +18,9 @@ struct RepairedSolids {
 
 //! \brief Repairs solids without joining them to each other where they have vertices, edges or faces at the same
 //! places.
-//! \details Pieces that share no vertices in the file are repaired each for itself, where all of them are closed then.
-//! Otherwise, as in formats that know no shared vertices, all are repaired together, and at edges with four faces each
-//! of two surfaces that cross goes on behind the other.
+//! \details Pieces that share no vertices in the file are repaired each for itself, where all of them are closed then, and
+//! so are, in formats that know no shared vertices, solids that the file lists one after the other. Otherwise all are
+//! repaired together, and at edges with four faces each of two surfaces that cross goes on behind the other.
 //! \param close_holes as in repair_surface()
 RepairedSolids repair_solids(const PolygonSoup& soup, double close_holes = 0.0);
 
