@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "nanocarbon/annealing/dual_relaxation.h"
 #include "nanocarbon/molecule/dual.h"
@@ -68,6 +70,29 @@ TEST(AnnealBonds, TheNumberOfThreadsDoesNotChangeTheMolecule) {
   }
   ASSERT_EQ(results[0].positions.size(), results[1].positions.size());
   EXPECT_TRUE(results[0].positions == results[1].positions);
+}
+
+// By a number that has nothing to do with the energy.
+TEST(AnnealBonds, TheBlockThatIsJudgedBestIsKept) {
+  const double scale = test::scale_for(180, 4 * std::numbers::pi);
+  const TetherSurface surface(test::unit_sphere(10), scale);
+  SwitchingState state = rough_state(3, 2, scale, surface);
+  std::vector<Vec3> best;
+  double least = 1;
+  int asked = 0;
+  const auto judged = [&](const SwitchingState& now) {
+    const double value = std::fmod(1e3 * std::abs(now.positions[0].x()), 1.0);
+    ++asked;
+    if (value < least) {
+      least = value;
+      best = now.positions;
+    }
+    return value + graphene * static_cast<double>(now.positions.size());
+  };
+  anneal_bonds(state, surface,
+               {.hot = 0.4, .blocks = 6, .trials_per_defect = 20, .count_penalty = 0, .judged = judged});
+  EXPECT_GT(asked, 3);
+  EXPECT_TRUE(state.positions == best);
 }
 
 TEST(AnnealBonds, AroundAnAtomLeavesWhatIsFarAwayAlone) {

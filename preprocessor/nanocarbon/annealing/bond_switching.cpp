@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -144,6 +145,9 @@ struct Attempt {
 // Chains of the boundary differ by little in energy: as hot as rings they would all be irregular. Of k T.
 constexpr double boundary_temperature = 0.3;
 
+// Blocks with more energy under the tether than the best so far are not judged by anything else, eV an atom.
+constexpr double hopeless = 0.012;
+
 constexpr double least_cosine = 0.2;  // of the angle between an atom's normal and the surface's
 
 class Annealer {
@@ -168,7 +172,7 @@ class Annealer {
 
   BondSwitchingResult run() {
     result_.energy_before = relax_state(state_, surface_, 200, 0.02) / static_cast<double>(atoms_);
-    double best_score = score(result_.energy_before * static_cast<double>(atoms_));
+    double best_score = judged_score(result_.energy_before * static_cast<double>(atoms_));
     SwitchingState best = state_;
     result_.energy = result_.energy_before;
     for (int block = 0; block < options_.blocks && !defects_.empty(); ++block) {
@@ -180,8 +184,8 @@ class Annealer {
       const double energy = relax_state(state_, surface_, 150, 0.02);
       const double per_atom = energy / static_cast<double>(atoms_);
       tell(block, 1);
-      if (score(energy) < best_score) {
-        best_score = score(energy);
+      if (const double judged = judged_score(energy); judged < best_score) {
+        best_score = judged;
         best = state_;
         result_.energy = per_atom;
       }
@@ -196,6 +200,15 @@ class Annealer {
   // count.
   double score(double energy) const {
     return energy - static_cast<double>(atoms_) * rebo2::graphene_energy + penalty_ * above() * above();
+  }
+  // Of a block, by what was asked for.
+  double judged_score(double energy) {
+    const double tethered = score(energy);
+    if (!options_.judged) return tethered;
+    least_tethered_ = std::min(least_tethered_, tethered);
+    if (tethered > least_tethered_ + hopeless * static_cast<double>(atoms_))
+      return std::numeric_limits<double>::infinity();
+    return score(options_.judged(state_));
   }
   double above() const { return static_cast<double>(atoms_) - static_cast<double>(target_); }
 
@@ -354,6 +367,7 @@ class Annealer {
   TrialTerms terms_;
   std::size_t target_ = 0, atoms_ = 0;
   double penalty_ = 0;
+  double least_tethered_ = std::numeric_limits<double>::infinity();  // score of a block
   BondSwitchingResult result_;
 };
 

@@ -21,6 +21,9 @@ struct BondSwitchingOptions {
   long largest_ring = 7;           //!< atoms in a ring; 8 where all of the surface is a saddle
   //! If any: only defects within some bonds of these atoms are tried.
   std::vector<AtomIndex> around = {};
+  //! eV, of what a block has come to, which the best block is chosen by in place of its energy under the tether; may be
+  //! empty. Not asked for blocks that have far more of that than another.
+  std::function<double(const SwitchingState& state)> judged = {};
   std::uint64_t seed = 1;
   unsigned threads = 1;
   //! Called many times a second with the share of the trials that are done; may throw, to end it; may be empty.

@@ -54,6 +54,14 @@ annealing::BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone
   return single;
 }
 
+annealing::BondSwitchingOptions hot_schedule_in_cell(std::size_t atoms, const AnnealOptions& options) {
+  annealing::BondSwitchingOptions hot = schedule_for(atoms, options);
+  hot.hot = 0.7;
+  hot.blocks = options.quality == Quality::best ? 48 : 24;
+  hot.trials_per_defect = 50;
+  return hot;
+}
+
 double refined_tether(double tether) {
   constexpr double share = 0.2;
   return tether - (1 - share) * std::min(tether, default_tether);

@@ -24,6 +24,11 @@ annealing::BondSwitchingOptions hot_schedule(std::size_t atoms, bool at_length, 
 annealing::BondSwitchingOptions full_size_schedule(std::size_t atoms, bool alone,
                                                    const AnnealOptions& options);
 
+//! \brief For a closed surface in a periodic cell of less than 300 atoms.
+//! \details Its topology asks for defects, and most trials are at these, in vain: half as many do as elsewhere, and are as
+//! well spent where it is so hot that defects find other places.
+annealing::BondSwitchingOptions hot_schedule_in_cell(std::size_t atoms, const AnnealOptions& options);
+
 //! The tether of what is refined from a coarse level: it has its order already and is held by a fifth of the default
 //! tether, so that it can buckle where that is cheaper, and by all that is asked beyond.
 double refined_tether(double tether);

@@ -29,6 +29,10 @@ constexpr double left_on_fixed_bonds = 50, left_once_mended = 3;
 constexpr std::size_t least_large = 2000;
 constexpr double left_of_large = 1;
 
+// Of the tolerance of forces, where strains are free: they weigh so little in the gradient that up to 1e-3 GPa of stress
+// would be left in cells of 200 atoms.
+constexpr double left_in_cell = 0.25;
+
 struct Descent {
   Molecule molecule;
   minimisation::CellMinimum end;
@@ -65,8 +69,10 @@ Descent descend(const annealing::AnnealingLevel& level, const TriangleMesh& surf
     molecule = molecule::saturated_with_hydrogen(molecule);
     if (molecule.size() > carbons && potential.unbonded_reach() > 0) part_hydrogens(molecule);
   }
-  const minimisation::MinimisationOptions wanted{.force_tolerance = options.force_tolerance,
-                                                 .team = options.running.team};
+  const bool strained = molecule.cell && options.relax_cell != minimisation::CellRelaxation::none;
+  const minimisation::MinimisationOptions wanted{
+      .force_tolerance = (strained ? left_in_cell : 1.0) * options.force_tolerance,
+      .team = options.running.team};
   const minimisation::CellMinimum end =
       minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
   return {std::move(molecule), end};

@@ -15,13 +15,13 @@ constexpr double near_enough = 1;  // Angstrom
 // 10,000 atoms the Stanford bunny would be 0.3 Angstrom nearer, at half as much energy again.
 constexpr double price_of_distance = 0.03, price_of_tether = 1.0 / 3;
 
+}  // namespace
+
 double cost(const Released& molecule, double tether) {
   const double price = price_of_distance + price_of_tether * std::max(0.0, tether - default_tether);
   const double for_nothing = near_enough * default_tether / tether;
   return molecule.energy + price * std::max(molecule.distance() - for_nothing, 0.0);
 }
-
-}  // namespace
 
 double Released::distance() const { return std::max(mean_distance, left_out); }
 

@@ -18,6 +18,10 @@ struct Released {
 //! \param tether eV/Angstrom^2
 bool is_near(const Released& molecule, double tether);
 
+//! \brief What the choice goes by among molecules that are near, or among those that are not: eV for each atom, with the
+//! price of distance.
+double cost(const Released& molecule, double tether);
+
 //! \brief Whether one molecule is the better choice.
 //! \details Near molecules come first. Of two that are both near, or both not, the one with less energy is better; distance
 //! beyond 1 Angstrom adds to the energy. With a stiffer tether this begins closer to the surface and adds more.

@@ -22,7 +22,8 @@ namespace {
 // Atoms that are annealed from hot: with fewer a surface hardly shows, with more it takes too long to find the best
 // places.
 constexpr double fewest_annealed = 130, wanted_annealed = 200;
-// Up to so many, full size is annealed from hot, and up to fewer from two starts.
+// Up to so many, full size is annealed from hot, and up to fewer from three starts, hotter and shorter, of which each
+// block is compared once it is let go.
 constexpr std::size_t few = 600, very_few = 300;
 // Starts with few atoms, of which the best is refined: one more where it costs little beside what refining does. They
 // are held to the surface more by the first of these for each quartering, and those that lie farther from it than the
@@ -100,7 +101,7 @@ class Annealing {
         return *std::move(best);
     }
     std::optional<AnnealedStart> best;
-    const int starts = atoms_ > very_few ? 1 : 2;
+    const int starts = atoms_ > very_few ? 1 : 3;
     for (int k = 0; k < starts; ++k) {
       std::optional<annealing::AnnealingLevel> level =
           k == 0 ? std::move(direct)
@@ -128,6 +129,19 @@ class Annealing {
     return schedule;
   }
 
+  // Blocks of small cells are compared by what they are once they and the cell are let go, not under the tether and
+  // strained as they are.
+  annealing::BondSwitchingOptions judged(annealing::BondSwitchingOptions schedule,
+                                         const TriangleMesh& surface) const {
+    if (atoms_ > very_few) return schedule;
+    schedule.judged = [this, &surface](const annealing::SwitchingState& state) {
+      Mat3 deformation;
+      return cost(let_go(state, surface, deformation), options_.tether) *
+             static_cast<double>(state.positions.size());
+    };
+    return schedule;
+  }
+
   // Relaxed; nothing where thin parts are pinched or the topology asks for more atoms.
   std::optional<annealing::AnnealingLevel> started(const TriangleMesh& surface, std::size_t atoms,
                                                    double tether, std::uint64_t seed) {
@@ -145,7 +159,10 @@ class Annealing {
   }
 
   AnnealedStart annealed(annealing::AnnealingLevel level, int start) const {
-    annealing::BondSwitchingOptions schedule = full_size_schedule(atoms_, true, options_);
+    annealing::BondSwitchingOptions schedule =
+        judged(atoms_ > very_few ? full_size_schedule(atoms_, true, options_)
+                                 : hot_schedule_in_cell(atoms_, options_),
+               surface_);
     schedule.seed += 1000 * static_cast<std::uint64_t>(start);
     annealing::anneal_level(level, annealing::TetherSurface(surface_, 1), told(schedule, "annealing"));
     AnnealedStart candidate{.level = std::move(level)};
@@ -161,7 +178,7 @@ class Annealing {
     strain(again.level.state, candidate.deformation);
     const TriangleMesh surface = strained(surface_, again.strain);
     annealing::anneal_level(again.level, annealing::TetherSurface(surface, 1),
-                            told(refined_schedule(atoms_, options_), "annealing again"));
+                            told(judged(refined_schedule(atoms_, options_), surface), "annealing again"));
     again.released = let_go(again.level.state, surface, again.deformation);
     return annealing::holds(again.level) && is_better(again.released, candidate.released) ? again : candidate;
   }
