@@ -7,6 +7,9 @@
 #include <cmath>
 
 #include "nanocarbon/annealing/fixed_bond_model.h"
+#include "nanocarbon/building/crystal_start.h"
+#include "nanocarbon/building/size_request.h"
+#include "nanocarbon/shapes/periodic_shapes.h"
 #include "support/rough_sphere.h"
 
 namespace nanocarbon::building {
@@ -76,6 +79,28 @@ TEST(SpringBack, ASurfaceThatMayBeScaledIsMetAtAnySize) {
   const Released back = spring_back(rest, sphere_of(1.1 * radius), true);
   EXPECT_GT(spring_back(rest, sphere_of(1.1 * radius), false).mean_distance, 0.08 * radius);
   EXPECT_LT(back.mean_distance, 0.15);
+}
+
+// From 2,000 atoms on minimisation is preconditioned, and lets molecules drift. Half a cell away a fit does not know
+// which way to go.
+TEST(SpringBack, AMoleculeThatDriftsInItsCellIsBroughtBack) {
+  const SizedSurface sized = sized_surface(
+      shapes::make_minimal_surface({.kind = shapes::MinimalSurface::Kind::schwarz_p}), AtomCount{400}, 1.42);
+  CrystalStart start = crystal_start(sized.mesh, sized.atoms, {.quality = Quality::draft});
+  ASSERT_TRUE(start.level);
+  annealing::relax_level(*start.level, annealing::TetherSurface(sized.mesh, 1));
+  const annealing::SwitchingState& state = start.level->state;
+  Mat3 strain = Mat3::Identity();
+  strain(0, 0) = 1.02;
+  strain(0, 1) = 0.01;
+  for (const double share : {0.0, 0.5}) {
+    const Vec3 drift = share * strain * sized.mesh.space.cell()->vectors.col(0);
+    std::vector<Vec3> there;
+    for (const Vec3& p : state.positions) there.push_back(strain * p + drift);
+    const Released back = released_in_cell(state.network, there, state.positions, sized.mesh, strain, -7.3);
+    EXPECT_LT(back.distance(), 0.5) << share;
+    EXPECT_EQ(back.energy, -7.3);
+  }
 }
 
 // The molecule is only looked at: whoever asked goes on from where it was.

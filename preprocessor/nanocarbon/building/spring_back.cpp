@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/building/spring_back.h"
 
+#include <utility>
 #include <vector>
 
 #include "nanocarbon/annealing/fixed_bond_model.h"
@@ -67,15 +68,21 @@ Released spring_back_in_cell(const annealing::SwitchingState& state, const Trian
       molecule, *potential, strains, {.force_tolerance = force_tolerance, .max_iterations = iterations});
   if (!relaxed.minimum.intact) return spring_back(state, annealing::TetherSurface(surface, 1), false);
   deformation = relaxed.deformation;
-  TriangleMesh strained = surface;
-  mesh::deform(strained, deformation);
-  const annealing::TetherSurface tether_surface(strained, 1);
-  const annealing::Similarity fit =
-      annealing::fit_to_surface(molecule.positions, tether_surface, false, state.running.team);
-  const auto count = static_cast<double>(molecule.size());
-  for (Vec3& p : molecule.positions) p = fit(p);
-  const Apart apart = mean_distances(state.network, molecule.positions, tether_surface);
-  return {.energy = relaxed.minimum.energy / count, .mean_distance = apart.there, .left_out = apart.back};
+  return released_in_cell(state.network, std::move(molecule.positions), state.positions, surface, deformation,
+                          relaxed.minimum.energy / static_cast<double>(state.positions.size()));
+}
+
+Released released_in_cell(const annealing::TrivalentNetwork& network, std::vector<Vec3> positions,
+                          std::vector<Vec3> held, TriangleMesh surface, const Mat3& deformation,
+                          double energy) {
+  mesh::deform(surface, deformation);
+  const annealing::TetherSurface tether_surface(surface, 1);
+  for (Vec3& p : held) p = deformation * p;
+  annealing::bring_back(positions, held, false);
+  const annealing::Similarity fit = annealing::fit_to_surface(positions, tether_surface, false);
+  for (Vec3& p : positions) p = fit(p);
+  const Apart apart = mean_distances(network, positions, tether_surface);
+  return {.energy = energy, .mean_distance = apart.there, .left_out = apart.back};
 }
 
 }  // namespace nanocarbon::building

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "nanocarbon/annealing/surface_tether.h"
 #include "nanocarbon/annealing/switching_patch.h"
 #include "nanocarbon/building/start_choice.h"
@@ -22,5 +24,13 @@ Released spring_back(const annealing::SwitchingState& state, const annealing::Te
 //! \param deformation of the cell is set
 Released spring_back_in_cell(const annealing::SwitchingState& state, const TriangleMesh& surface,
                              minimisation::CellRelaxation strains, Mat3& deformation);
+
+//! \brief Where a molecule that was let go in a periodic cell lies, once moved to where it fits the strained surface best.
+//! \param positions after that; it may have drifted as a whole, as minimisation lets 2,000 atoms and more
+//! \param held where they were before
+//! \param energy eV for each atom, handed on
+Released released_in_cell(const annealing::TrivalentNetwork& network, std::vector<Vec3> positions,
+                          std::vector<Vec3> held, TriangleMesh surface, const Mat3& deformation,
+                          double energy);
 
 }  // namespace nanocarbon::building
