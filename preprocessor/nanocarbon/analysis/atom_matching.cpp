@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -13,18 +14,38 @@
 namespace nanocarbon::analysis {
 namespace {
 
-constexpr double far_move = 2.0;    // Angstrom, of which few atoms move from frame to frame
+constexpr double far_move =
+    0.7;  // Angstrom, half a bond: beyond what the whole moves by, few atoms move so far
 constexpr double near_place = 1.0;  // Angstrom, where an atom is looked for; below any two atoms' distance
 constexpr std::size_t few = 20;     // one atom of so many
 
 using Partner = std::optional<std::uint32_t>;
 
-bool same_order(const Molecule& now, const Molecule& before, const Space& space) {
-  if (now.elements != before.elements) return false;
+// How far atoms of the same place in both files move, in the root mean square and apart from what the whole moves by,
+// and how many of them move far.
+struct Moves {
+  double root_mean_square = std::numeric_limits<double>::infinity();
   std::size_t far = 0;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    far += space.displacement(before.positions[i], now.positions[i]).norm() > far_move;
-  return far * few <= now.size();
+};
+
+Moves moves_in_order(const Molecule& now, const Molecule& before, const Space& space) {
+  const std::size_t n = now.size();
+  // Images are nearest to where the first atom's move would take them: a drift may be longer than half the cell.
+  const Vec3 first = space.displacement(before.positions[0], now.positions[0]);
+  std::vector<Vec3> moves(n);
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t i = 0; i < n; ++i) {
+    moves[i] = first + space.displacement(before.positions[i] + first, now.positions[i]);
+    mean += moves[i] / static_cast<double>(n);
+  }
+  Moves result{0.0, 0};
+  for (const Vec3& move : moves) {
+    const double squared = (move - mean).squaredNorm();
+    result.root_mean_square += squared / static_cast<double>(n);
+    result.far += squared > far_move * far_move;
+  }
+  result.root_mean_square = std::sqrt(result.root_mean_square);
+  return result;
 }
 
 // For each atom of both frames, now's first, the nearest of its element in the other frame.
@@ -92,31 +113,52 @@ AtomMatching match_atoms(const Molecule& now, const Molecule& before,
                          std::span<const std::int64_t> before_ids, std::int64_t next_id) {
   const Space space = now.cell ? Space(*now.cell) : Space();
   AtomMatching result;
-  if (same_order(now, before, space)) {
+  const bool same_elements = now.elements == before.elements;
+  const Moves in_order = same_elements ? moves_in_order(now, before, space) : Moves{};
+  if (same_elements && in_order.far == 0) {
     result.ids.assign(before_ids.begin(), before_ids.end());
     return result;
   }
   std::vector<Partner> partners = partners_by_place(now, before, space);
-  const auto found = static_cast<std::size_t>(
-      std::count_if(partners.begin(), partners.end(), [](const Partner& p) { return p.has_value(); }));
-  const std::size_t wanted = std::min(now.size(), before.size());
-  if (found * few < wanted * (few - 1)) {
+  std::size_t found = 0;
+  double squared = 0;
+  for (std::size_t a = 0; a < partners.size(); ++a)
+    if (partners[a]) {
+      ++found;
+      squared += space.displacement(before.positions[*partners[a]], now.positions[a]).squaredNorm();
+    }
+  const bool by_place = found * few >= std::min(now.size(), before.size()) * (few - 1);
+  // By place only where that explains the frame much better than the order does.
+  const double root_mean_square = std::sqrt(squared / static_cast<double>(std::max<std::size_t>(found, 1)));
+  if (same_elements && !(by_place && root_mean_square < 0.5 * in_order.root_mean_square)) {
+    result.ids.assign(before_ids.begin(), before_ids.end());
+    if (in_order.far * few > now.size())
+      result.doubt =
+          "its atoms have no IDs, and many of them are not where they were in the frame before: they are "
+          "taken to be in "
+          "the same order, and what is said of bonds broken and formed is wrong if they are not";
+    return result;
+  }
+  if (!by_place) {
     for (std::uint32_t a = 0; a < now.size(); ++a)
       partners[a] = a < before.size() ? Partner(a) : std::nullopt;
     result.doubt =
-        "its atoms have no IDs, and too many of them are not where they were in the frame before: they are "
-        "taken "
-        "to be in the same order, and what is said of bonds broken and formed is wrong if they are not";
+        "its atoms have no IDs, other elements or another number than the frame before, and too many of them "
+        "are not "
+        "where they were: they are taken to be in the same order, and what is said of bonds broken and "
+        "formed is wrong "
+        "if they are not";
   } else {
     pair_the_rest(now, before, space, partners);
-    result.doubt = now.size() == before.size() ? "its atoms have no IDs, and their order differs from that "
-                                                 "of the frame before: they are told by "
-                                                 "place"
-                                               : fmt::format(
-                                                     "its atoms have no IDs, and there are {} where the "
-                                                     "frame before has {}: which ones are gone "
-                                                     "or new is told by place",
-                                                     now.size(), before.size());
+    result.doubt =
+        now.size() == before.size()
+            ? "its atoms have no IDs, and their order differs from that of the frame before: they are told "
+              "by "
+              "place"
+            : fmt::format(
+                  "its atoms have no IDs, and there are {} where the frame before has {}: which ones are "
+                  "gone or new is told by place",
+                  now.size(), before.size());
   }
   for (const Partner& p : partners) result.ids.push_back(p ? before_ids[*p] : next_id++);
   return result;

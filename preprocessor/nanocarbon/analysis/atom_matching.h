@@ -18,10 +18,11 @@ struct AtomMatching {
 };
 
 //! \brief Finds a frame's atoms in the frame before.
-//! \details Atoms are in the same order where both frames have the same elements and hardly any atom moves by
-//! more than 2 Angstrom. Else each is the atom of its element that is nearest, if that is within 1 Angstrom and
-//! nearest the other way round, too; what is left is paired by distance as far as there are pairs. Where fewer than
-//! 19 of 20 can be found like this, the order in the file is all that there is, which `doubt` says.
+//! \details Atoms are in the same order where both frames have the same elements, unless their places explain the frame
+//! much better: nearly all atoms have one of their element within 1 Angstrom that is nearest either way, and they move by
+//! less than half of what they would in the order of the file, the motion of the whole left out. What is left then is
+//! paired by distance as far as there are pairs. Where neither can be, the order in the file is all that there is, which
+//! `doubt` says.
 //! \param before_ids of the atoms of the frame before
 //! \param next_id the first ID that no frame has had so far: of atoms that are new
 AtomMatching match_atoms(const Molecule& now, const Molecule& before,

@@ -173,10 +173,12 @@ LocalRelaxation relax_around(const HeldMolecule& whole, std::vector<Vec3>& posit
   if (static_cast<double>(moved) > most) return result;
   // What numbers the atoms is as long as the molecule: a few of them for all pieces.
   constexpr std::size_t at_once = 8;
+  // Pieces may touch atoms of others, which stay where they were: the same whichever is relaxed first.
+  const std::vector<Vec3> before = positions;
   for_each_index(team, std::min(pieces.size(), at_once), [&](std::size_t first) {
     std::vector<std::uint32_t> number(positions.size(), none);
     for (std::size_t k = first; k < pieces.size(); k += at_once) {
-      PieceModel piece(whole, positions, pieces[k], number);
+      PieceModel piece(whole, before, pieces[k], number);
       piece.relax(force_tolerance);
       for (std::size_t m = 0; m < pieces[k].moving; ++m) positions[pieces[k].atoms[m]] = piece.position(m);
     }

@@ -178,6 +178,19 @@ TEST(Isosurface, WhatCannotBeMadeIsSaidSo) {
 }
 
 // Two orbitals in one file, their values in turn.
+// A damaged length in a header once meant 48 million nodes, and minutes, for sixty values.
+TEST(Isosurface, StepsOfVeryDifferentLengthsDoNotMakeItHuge) {
+  const test::SampledField flat = {
+      {4, 3, 5}, Vec3::Zero(), Vec3(0.5, 0.5, 1e-7).asDiagonal(), [](const Vec3& p) {
+        return p.x() + p.y();
+      }};
+  FieldRequest field;
+  field.level = 0.6;
+  const PolygonSoup surface = parse_mesh(test::mrc_bytes(flat), "flat.mrc", field);
+  EXPECT_GT(surface.points.size(), 0u);
+  EXPECT_LT(surface.points.size(), 2 * 64u * 60);
+}
+
 TEST(Isosurface, OneOfSeveralFieldsIsNamed) {
   std::string cube = "two\norbitals\n-1 0 0 0\n 2 1 0 0\n 2 0 1 0\n 2 0 0 1\n 6 6 0 0 0\n 2 7 9\n";
   for (int i = 0; i < 8; ++i) cube += i == 0 ? "1 5 " : "0 0 ";

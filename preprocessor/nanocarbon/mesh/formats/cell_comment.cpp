@@ -50,9 +50,19 @@ std::optional<std::string_view> value_of(std::string_view line, std::string_view
   return end == value->npos ? "" : value->substr(1, end - 1);
 }
 
-// "lattice=hexagonal" is no cell, but what begins as numbers do is meant as one.
+// "lattice=hexagonal" is no cell, nor is "lattice = 20.5 Angstrom" one, but what is quoted, in brackets or begins with two
+// numbers is meant as one.
 bool is_meant_as_cell(std::string_view value) {
-  return !value.empty() && std::string_view("\"'[{(+-.0123456789").find(value.front()) != value.npos;
+  if (value.empty()) return false;
+  if (std::string_view("\"'[{(").find(value.front()) != value.npos) return true;
+  double number = 0;
+  for (int k = 0; k < 2; ++k) {
+    value.remove_prefix(std::min(value.find_first_not_of(" \t,"), value.size()));
+    const std::string_view word = value.substr(0, value.find_first_of(" \t,\r\n"));
+    if (word.empty() || read_real(word, number) != NumberToken::number) return false;
+    value.remove_prefix(word.size());
+  }
+  return true;
 }
 
 // Nothing where one of them is not a number.

@@ -19,8 +19,8 @@ using Counts = std::array<std::size_t, 3>;
 
 // A grid with more nodes than this takes gigabytes; one with more for each value shows nothing more.
 constexpr double most_nodes = 4e7, most_for_a_value = 64;
-// What shapes/polygonise_in_cell.h makes of an edge: steps of its grid this much longer.
-constexpr double steps_per_edge = 1.4;
+// What shapes/polygonise_in_cell.h makes of an edge: steps of its grid this much longer, and at least so many.
+constexpr double steps_per_edge = 1.4, least_steps = 9;
 
 std::string described(const ScalarField& field) {
   return fmt::format("a scalar field{} of {} x {} x {} values",
@@ -216,6 +216,19 @@ bool is_within(const ScalarField& field, double level, const std::array<bool, 3>
   return any;
 }
 
+// The shortest step of the field, or a longer one, with which the grid does not have too many nodes.
+double grid_step(const Cell& cell, const ScalarField& field) {
+  const Vec3 lengths = cell.vectors.colwise().norm();
+  const double shortest = field.steps.colwise().norm().minCoeff();
+  const double most = std::min(most_nodes, most_for_a_value * static_cast<double>(field.values.size()));
+  const double nodes = (lengths.array() / shortest + 1).prod();
+  double step = shortest * std::max(1.0, std::cbrt(nodes / most));
+  // A narrow cell has its least number of steps whatever the length of these.
+  const auto along = [&](int d) { return std::max(least_steps, lengths[d] / step); };
+  while (along(0) * along(1) * along(2) > 1.5 * most && lengths.maxCoeff() > least_steps * step) step *= 1.1;
+  return step;
+}
+
 }  // namespace
 
 PolygonSoup isosurface(const ScalarField& field, const FieldRequest& request, const std::string& file) {
@@ -231,7 +244,6 @@ PolygonSoup isosurface(const ScalarField& field, const FieldRequest& request, co
   Cell cell;
   cell.periodic = request.periodic;
   cell.origin = field.origin;
-  double nodes = 1.0;
   Vec3 widths;  // of a step, between the planes of the others
   for (int d = 0; d < 3; ++d) {
     const auto k = static_cast<std::size_t>(d);
@@ -241,12 +253,8 @@ PolygonSoup isosurface(const ScalarField& field, const FieldRequest& request, co
     cell.vectors.col(d) = steps * field.steps.col(d);
     widths[d] = 1 / field.steps.inverse().row(d).norm();
   }
-  const double shortest = field.steps.colwise().norm().minCoeff();
-  for (int d = 0; d < 3; ++d) nodes *= cell.vectors.col(d).norm() / shortest + 1;
-  const double coarser = std::max(
-      1.0,
-      std::cbrt(nodes / std::min(most_nodes, most_for_a_value * static_cast<double>(field.values.size()))));
-  const double edge = coarser * shortest / steps_per_edge * (1 + 1e-9);
+  const double step = grid_step(cell, field);
+  const double edge = step / steps_per_edge * (1 + 1e-9);
 
   // Below zero inside.
   const shapes::ImplicitShape shape = [&](const Vec3& point) {
@@ -285,9 +293,9 @@ PolygonSoup isosurface(const ScalarField& field, const FieldRequest& request, co
   PolygonSoup soup = soup_of(unfolded(mesh).mesh);
   soup.notes = std::move(notes);
   soup.notes.push_back(fmt::format("took the surface where {} is {}", described(field), level));
-  if (coarser > 1)
-    soup.notes.push_back(fmt::format(
-        "the surface is made at steps of {:.6g}, longer than the grid's shortest", coarser * shortest));
+  if (step > field.steps.colwise().norm().minCoeff())
+    soup.notes.push_back(
+        fmt::format("the surface is made at steps of {:.6g}, longer than the grid's shortest", step));
   if (cell.periodic != std::array<bool, 3>{false, false, false}) soup.cell = cell;
   soup.is_isosurface = true;
   soup.unit = field.unit;

@@ -22,6 +22,8 @@ constexpr Image here = {0, 0, 0};
 // Of the mean length of edges: what the vertices of a line may lie from the other line, in the root mean square; over
 // that, what one of them may; and from a vertex that it joins rather than being given to the other side.
 constexpr double share_apart = 0.25, times_apart = 3, share_single = 0.2;
+// Of the distance between opposite faces of the cell: where images are looked for at most.
+constexpr double share_reach = 0.25;
 // Pairs of vertices that are looked at for two lines, at most.
 constexpr double most_pairs = 2e7;
 
@@ -101,6 +103,10 @@ class Zipping {
       mean_edge_ += (mesh_.points[next.front()] - mesh_.points[v]).norm() / static_cast<double>(next_.size());
     }
     reach_ = times_apart * std::max(same_line_, share_apart * mean_edge_);
+    // Edges may be longer than a cell is wide: everything would be near everything.
+    const Vec3 heights = face_distances(cell_);
+    for (std::size_t d = 0; d < 3; ++d)
+      if (cell_.periodic[d]) reach_ = std::min(reach_, share_reach * heights[static_cast<Eigen::Index>(d)]);
     near_ = neighbours_within(points_, &cell_, reach_);
   }
   double distance(std::size_t i, const Neighbour& n) const {
