@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/core/text_numbers.h"
 
 namespace nanocarbon::cli {
 
@@ -28,14 +29,16 @@ Cell cell_of(const std::string& text) {
   std::replace(separated.begin(), separated.end(), ',', ' ');
   std::istringstream words(separated);
   std::vector<double> numbers;
-  for (double number = 0; words >> number;) numbers.push_back(number);
+  bool all_numbers = true;
+  for (std::string word; words >> word;)
+    all_numbers &= read_real(word, numbers.emplace_back()) == NumberToken::number;
   Cell cell;
   if (numbers.size() == 3)
     cell.vectors.diagonal() << numbers[0], numbers[1], numbers[2];
   else if (numbers.size() == 9)
     for (int k = 0; k < 9; ++k) cell.vectors(k % 3, k / 3) = numbers[static_cast<std::size_t>(k)];
-  if (!words.eof() || (numbers.size() != 3 && numbers.size() != 9) ||
-      !(std::abs(cell.vectors.determinant()) > 1e-6))
+  if (!all_numbers || (numbers.size() != 3 && numbers.size() != 9) ||
+      !(std::abs(cell.vectors.determinant()) > 1))
     throw UserError(Failure::usage,
                     "--cell takes three lengths or three vectors that span a volume, nine numbers, "
                     "in Angstrom, such as '30 30 18.5', not '" +

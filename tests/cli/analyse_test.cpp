@@ -127,7 +127,7 @@ TEST_F(Analyse, ACellThatTheFileLacksIsTakenFromTheOption) {
   EXPECT_EQ(found["defects"]["count"], 0);
   EXPECT_EQ(run("analyse " + xyz + " --cell '30 30 30'").exit_code, 2);
   EXPECT_EQ(run("analyse " + path("sheet.data") + " --cell '30 30 30'").exit_code, 2);
-  for (const char* wrong : {"30 30", "30 30 x", "30 30 0", "1 2 3 4 5 6"})
+  for (const char* wrong : {"30 30", "30 30 x", "30 30 18.5 -", "0.02 0.02 0.02", "30 30 0", "1 2 3 4 5 6"})
     EXPECT_EQ(run("analyse " + bare + " --cell '" + wrong + "'").exit_code, 2) << wrong;
 }
 

@@ -101,10 +101,9 @@ std::optional<Cell> parse_cell(const TextInput& input, const Keys& keys, const R
   Cell cell;
   if (pbc != keys.end()) cell.periodic = parse_pbc(input, pbc->second);
   if (lattice == keys.end() && settings.cell) {
-    if (pbc != keys.end())
-      cell = {settings.cell->vectors, settings.cell->origin, cell.periodic};
-    else
-      cell = *settings.cell;
+    // Programs that know no cell write pbc="F F F".
+    const bool says = pbc != keys.end() && cell.periodic != std::array{false, false, false};
+    cell = {settings.cell->vectors, settings.cell->origin, says ? cell.periodic : settings.cell->periodic};
     return cell_as_read(input, cell, settings);
   }
   if (lattice == keys.end()) {
