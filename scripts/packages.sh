@@ -16,7 +16,7 @@ install_missing() {
 }
 
 build_packages=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libnanoflann-dev libcli11-dev libfmt-dev
-  nlohmann-json3-dev libspectra-dev libxsimd-dev libmuparser-dev
+  nlohmann-json3-dev libspectra-dev liblbfgspp-dev libxsimd-dev libmuparser-dev
   zlib1g-dev libpugixml-dev gemmi-dev tao-pegtl-dev libjs-three libcgal-dev)
 lammps_packages=(lammps liblammps-dev lammps-data libopenmpi-dev openmpi-bin)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev python3-ase valgrind doxygen groff-base dpkg-dev file)

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/structures/spring_relaxation.h"
 
+#include <LBFGS.h>
+
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "nanocarbon/core/space.h"
-#include "nanocarbon/minimisation/lbfgs.h"
 
 namespace nanocarbon::structures {
 namespace {
@@ -35,54 +36,52 @@ std::vector<Spring> springs_of(const Molecule& molecule, const SpringRelaxationO
   return springs;
 }
 
-double spring_energy(const std::vector<Spring>& springs, const Space& space, std::span<const Vec3> positions,
-                     std::span<Vec3> gradient) {
+double spring_energy(const std::vector<Spring>& springs, const Space& space, const Eigen::VectorXd& x,
+                     Eigen::VectorXd& gradient) {
   double energy = 0.0;
+  gradient.setZero();
   for (const Spring& s : springs) {
-    const Vec3 delta = space.displacement(positions[s.first], positions[s.second]);
+    const Vec3 delta = space.displacement(x.segment<3>(3 * s.first), x.segment<3>(3 * s.second));
     const double length = delta.norm(), stretch = length - s.rest;
     energy += 0.5 * s.stiffness * stretch * stretch;
     const Vec3 pull = s.stiffness * stretch / length * delta;
-    gradient[s.second] += pull;
-    gradient[s.first] -= pull;
+    gradient.segment<3>(3 * s.second) += pull;
+    gradient.segment<3>(3 * s.first) -= pull;
   }
   return energy;
 }
-
-// Whether the last three iterations together lowered the energy by less than 1e-5 of it.
-class Stalled {
- public:
-  bool operator()(int iteration, double energy, std::span<const Vec3>) {
-    double& before = last_three_[static_cast<std::size_t>(iteration) % 3];
-    const bool stalled = before - energy < 1e-5 * energy;
-    before = energy;
-    return stalled;
-  }
-
- private:
-  std::array<double, 3> last_three_{std::numeric_limits<double>::infinity(),
-                                    std::numeric_limits<double>::infinity(),
-                                    std::numeric_limits<double>::infinity()};
-};
 
 }  // namespace
 
 SpringResult relax_by_springs(Molecule& molecule, const SpringRelaxationOptions& options) {
   const std::vector<Spring> springs = springs_of(molecule, options);
   const Space space(molecule.cell);
-  minimisation::LbfgsOptions lbfgs;
-  lbfgs.max_iterations = options.iterations;
-  lbfgs.force_tolerance = 1e-6;  // Angstrom: springs of bonds have stiffness 1
-  lbfgs.max_step = std::numeric_limits<double>::infinity();
-  lbfgs.stop = Stalled{};
-  const auto minimum = minimisation::minimise_lbfgs(
-      molecule.positions,
-      [&](std::span<const Vec3> at, std::span<Vec3> gradient) {
-        return spring_energy(springs, space, at, gradient);
-      },
-      lbfgs);
+  const auto n = static_cast<Eigen::Index>(molecule.size());
+  Eigen::VectorXd x(3 * n);
+  for (Eigen::Index i = 0; i < n; ++i) x.segment<3>(3 * i) = molecule.positions[static_cast<std::size_t>(i)];
 
-  SpringResult result{minimum.iterations, std::numeric_limits<double>::infinity(), 0.0};
+  LBFGSpp::LBFGSParam<double> param;
+  param.max_iterations = options.iterations;
+  param.epsilon = 0.0;
+  param.epsilon_rel = 1e-7;
+  param.past = 3;
+  param.delta = 1e-5;
+  LBFGSpp::LBFGSSolver<double> solver(param);
+  double energy = 0.0;
+  int iterations = 0;
+  auto objective = [&](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+    return spring_energy(springs, space, at, gradient);
+  };
+  try {
+    iterations = solver.minimize(objective, x, energy);
+  } catch (const std::runtime_error&) {
+    // The line search found nothing better than x: as good as it gets.
+  } catch (const std::logic_error&) {
+    // Rounding turned the search direction uphill, which happens only close to the minimum.
+  }
+  for (Eigen::Index i = 0; i < n; ++i) molecule.positions[static_cast<std::size_t>(i)] = x.segment<3>(3 * i);
+
+  SpringResult result{iterations, std::numeric_limits<double>::infinity(), 0.0};
   for (const Bond& bond : molecule.bonds) {
     const double length =
         space.displacement(molecule.positions[bond.first], molecule.positions[bond.second]).norm();
