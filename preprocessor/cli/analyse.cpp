@@ -155,14 +155,14 @@ class Analyser {
     before_ = std::move(bonds);
   }
 
-  // Gives atoms without IDs those of the frame before, and says once of each file what is doubtful about it.
+  // Gives atoms without IDs those of the frame before, and says what is doubtful about it, once for the same doubt.
   void name_atoms(const std::string& file, std::size_t number, molecule::MoleculeFrame& frame) {
     analysis::AtomMatching matching =
         analysis::match_atoms(frame.molecule, findings.last.molecule, findings.last.ids, next_id_);
     frame.ids = std::move(matching.ids);
     molecule::sort_by_id(frame);
-    if (matching.doubt.empty() || doubted_ == file) return;
-    doubted_ = file;
+    if (matching.doubt.empty() || doubted_ == file + matching.doubt) return;
+    doubted_ = file + matching.doubt;
     MoleculeInput input = command_.input;
     input.file = file;
     print_warnings(input, {fmt::format("frame {}: {}. A column id would tell", number, matching.doubt)});
@@ -182,7 +182,7 @@ class Analyser {
   std::optional<analysis::NamedBonds> start_, before_;
   topology::SurfaceTopology start_surface_;
   std::int64_t next_id_ = 1;  // that no frame has had
-  std::string doubted_;       // the file that was warned of last
+  std::string doubted_;       // file and doubt that were warned of last
 };
 
 void write_json(std::ostream& out, const AnalyseCommand& command, const Findings& found) {
@@ -257,7 +257,7 @@ void print_changed_frames(const std::vector<analysis::FrameSummary>& frames) {
         fmt::format("frame {}{}: ", frame.frame, frame.step ? fmt::format(", step {}", *frame.step) : ""),
         text);
   }
-  if (left > 0) fmt::print("  {:<26}and in {} more frames (--csv)\n", "", left);
+  if (left > 0) fmt::print("  {:<26}and in {} more frames\n", "", left);
 }
 
 void print_frames(const Findings& found) {

@@ -14,8 +14,8 @@
 namespace nanocarbon::analysis {
 namespace {
 
-constexpr double far_move =
-    0.7;  // Angstrom, half a bond: beyond what the whole moves by, few atoms move so far
+// Angstrom, half a bond: beyond what the whole moves by, few atoms move so far.
+constexpr double far_move = 0.7;
 constexpr double near_place = 1.0;  // Angstrom, where an atom is looked for; below any two atoms' distance
 constexpr std::size_t few = 20;     // one atom of so many
 

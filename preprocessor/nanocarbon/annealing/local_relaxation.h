@@ -28,8 +28,9 @@ struct LocalRelaxation {
 
 //! \brief Relaxes what is around some atoms, piece by piece, while the rest is held: bonds, guards, contacts, tether.
 //! \details In a large molecule a few places come to rest long after the others. A step of the whole is no longer than
-//! the worst of them allows, and costs as much for one place as for all. Pieces are so far apart that no bond feels two
-//! of them: the energy does not rise, and threads share them out. Nothing is done where that were much of the molecule.
+//! the worst of them allows, and costs as much for one place as for all. No bond feels two
+//! pieces, and contacts between pieces see the other one where it was: threads share them out, with the same result for any
+//! number. The energy of each piece does not rise; that of contacts between two pieces may. Nothing is done where that were much of the molecule.
 //! \param forced atoms that feel a force, ascending
 //! \param force_tolerance that pieces are relaxed to, eV/Angstrom
 //! \pre in free space
