@@ -17,7 +17,7 @@ TriangleMesh sphere(int n) {
 }
 
 TEST(AnnealingLevel, AnIcosahedralFullereneHoldsAndLosesNothingOfItsSphere) {
-  auto level = level_on(sphere(6), 0.05, true);
+  auto level = level_on(sphere(6), {.tether = 0.05});
   ASSERT_TRUE(level.has_value());
   relax_level(*level, TetherSurface(sphere(20), 1));
   EXPECT_TRUE(level->sound);
@@ -26,7 +26,7 @@ TEST(AnnealingLevel, AnIcosahedralFullereneHoldsAndLosesNothingOfItsSphere) {
 }
 
 TEST(AnnealingLevel, WhatTheSurfaceReachesBeyondTheMoleculeIsLost) {
-  const auto level = level_on(sphere(6), 0.05, true);
+  const auto level = level_on(sphere(6), {.tether = 0.05});
   TriangleMesh horned = sphere(20);
   Vec3& tip = horned.points[100];
   tip *= (radius + 9) / radius;
@@ -35,7 +35,7 @@ TEST(AnnealingLevel, WhatTheSurfaceReachesBeyondTheMoleculeIsLost) {
 
 // An atom pulled out by a tenth of the radius, 1.2 Angstrom: its bonds are longer than REBO2 sees whole.
 TEST(AnnealingLevel, AnOverstretchedBondDoesNotHold) {
-  auto level = level_on(sphere(6), 0.05, true);
+  auto level = level_on(sphere(6), {.tether = 0.05});
   relax_level(*level, TetherSurface(sphere(20), 1));
   level->state.positions[0] *= 1.1;
   EXPECT_FALSE(holds(*level));
@@ -45,7 +45,7 @@ TEST(AnnealingLevel, APinchedTriangulationIsNone) {
   TriangleMesh pinched = sphere(3);
   const Triangle first = pinched.triangles.front(), last = pinched.triangles.back();
   pinched.triangles.push_back({first[0], first[1], last[0]});  // a third one at an edge
-  EXPECT_FALSE(level_on(pinched, 0.05, true).has_value());
+  EXPECT_FALSE(level_on(pinched, {.tether = 0.05}).has_value());
 }
 
 }  // namespace

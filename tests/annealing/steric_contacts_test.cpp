@@ -41,6 +41,23 @@ TEST(StericContacts, SheetsThatNearlyTouchArePushedApart) {
   }
 }
 
+TEST(StericContacts, TheGraphSaysHowFarTheyReach) {
+  Chains chains(3.7);  // beyond what is listed by default
+  StericContacts contacts;
+  std::vector<Vec3> gradient(chains.positions.size(), Vec3::Zero());
+  EXPECT_EQ(contacts.evaluate(chains.positions, chains.graph, gradient), 0);
+  chains.graph.steric_reach = 3.8;
+  double expected = 0;
+  Vec3 unused = Vec3::Zero();
+  for (AtomIndex a = 0; a < 8; ++a)
+    for (AtomIndex b = 8; b < 16; ++b)
+      expected += steric_pair(chains.positions[a], chains.positions[b], 3.8, unused);
+  EXPECT_GT(expected, 0);
+  EXPECT_NEAR(contacts.evaluate(chains.positions, chains.graph, gradient), expected, 1e-12);
+  chains.graph.steric_reach = 2.9;
+  EXPECT_EQ(contacts.evaluate(chains.positions, chains.graph, gradient), 0);
+}
+
 TEST(StericContacts, PairsAreFoundAgainAfterAtomsHaveMoved) {
   Chains chains(10.0);
   StericContacts contacts;
@@ -91,7 +108,8 @@ TEST(StericContacts, LargeMoleculesAreRepelledByTheSamePairs) {
     double energy = 0;
     for (AtomIndex a = 0; a < chains.positions.size(); ++a)
       for (const AtomIndex b : all.near(a)) {
-        const double pair = steric_pair(chains.positions[a], chains.positions[b], fresh[a]);
+        const double pair =
+            steric_pair(chains.positions[a], chains.positions[b], default_steric_reach, fresh[a]);
         if (b > a) energy += pair;
       }
     EXPECT_NEAR(contacts.evaluate(chains.positions, chains.graph, kept, step % 2 ? &team : nullptr), energy,
@@ -105,12 +123,16 @@ TEST(StericContacts, LargeMoleculesAreRepelledByTheSamePairs) {
 TEST(StericContacts, ForceIsTheSlopeOfTheEnergy) {
   const Vec3 a(0.1, 0.2, 0.3), b(1.4, -0.5, 1.9);
   Vec3 gradient = Vec3::Zero(), unused = Vec3::Zero();
-  steric_pair(a, b, gradient);
+  steric_pair(a, b, default_steric_reach, gradient);
   for (int d = 0; d < 3; ++d) {
     const Vec3 h = 1e-6 * Vec3::Unit(d);
-    EXPECT_NEAR(gradient[d], (steric_pair(a + h, b, unused) - steric_pair(a - h, b, unused)) / 2e-6, 1e-7);
+    EXPECT_NEAR(gradient[d],
+                (steric_pair(a + h, b, default_steric_reach, unused) -
+                 steric_pair(a - h, b, default_steric_reach, unused)) /
+                    2e-6,
+                1e-7);
   }
-  EXPECT_EQ(steric_pair(Vec3::Zero(), Vec3(steric_reach, 0, 0), unused), 0);
+  EXPECT_EQ(steric_pair(Vec3::Zero(), Vec3(3.2, 0, 0), 3.2, unused), 0);
 }
 
 }  // namespace

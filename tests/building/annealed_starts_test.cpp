@@ -22,7 +22,7 @@ TriangleMesh sphere(std::size_t count) {
 // The dual of a triangulation of the unit sphere, relaxed on a sphere for so many atoms.
 annealing::AnnealingLevel level_of(TriangleMesh triangulation, std::size_t count) {
   rescale(triangulation, test::scale_for(count, 4 * std::numbers::pi));
-  annealing::AnnealingLevel level = *annealing::level_on(triangulation, default_tether, true);
+  annealing::AnnealingLevel level = *annealing::level_on(triangulation, {.tether = default_tether});
   annealing::relax_level(level, annealing::TetherSurface(sphere(count), 1));
   return level;
 }

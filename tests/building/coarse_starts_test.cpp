@@ -25,7 +25,7 @@ TriangleMesh sphere(std::size_t count, double horn = 0) {
 // An icosahedral cage on a sphere.
 annealing::AnnealingLevel cage(TriangleMesh triangulation, double radius) {
   for (Vec3& p : triangulation.points) p *= radius / p.norm();
-  return *annealing::level_on(triangulation, 3 * default_tether, true);
+  return *annealing::level_on(triangulation, {.tether = 3 * default_tether});
 }
 
 TEST(CoarseStarts, AreAQuarterOfTheAtomsOnHalfTheSphere) {

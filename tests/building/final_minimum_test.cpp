@@ -16,7 +16,7 @@ namespace {
 // The dual of a triangulation of the unit sphere, relaxed on a sphere.
 annealing::AnnealingLevel level_of(TriangleMesh triangulation, const TriangleMesh& surface) {
   rescale(triangulation, surface.points[0].norm());
-  annealing::AnnealingLevel level = *annealing::level_on(triangulation, default_tether, true);
+  annealing::AnnealingLevel level = *annealing::level_on(triangulation, {.tether = default_tether});
   annealing::relax_level(level, annealing::TetherSurface(surface, 1));
   return level;
 }

@@ -66,26 +66,26 @@ TriangleMesh without(const TriangleMesh& mesh, std::span<const std::uint32_t> tr
 
 }  // namespace
 
-std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean,
-                                       const Running& running) {
-  const auto stage = running.stage("dual");
+std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, const LevelOptions& options) {
+  const auto stage = options.running.stage("dual");
   AnnealingLevel level;
-  level.state.running = running;
+  level.state.running = options.running;
   try {
     level.state.network = trivalent_network(triangulation);
     const std::vector<AtomIndex> ends = dead_ends(level.state.network);
-    if (!ends.empty()) return level_on(without(triangulation, ends), tether, free_mean, running);
+    if (!ends.empty()) return level_on(without(triangulation, ends), options);
   } catch (const UserError&) {
     return {};
   }
   level.state.network.hydrogen = true;
+  level.state.network.steric_reach = options.steric_reach;
   level.state.space = triangulation.space;
   for (const Triangle& t : triangulation.triangles) {
     const auto [a, b, c] = corners_of(triangulation, t);
     level.state.positions.push_back((a + b + c) / 3);
   }
-  level.state.tether = tether;
-  level.state.free_mean = free_mean;
+  level.state.tether = options.tether;
+  level.state.free_mean = options.free_mean;
   return level;
 }
 

@@ -16,10 +16,17 @@ struct AnnealingLevel {
   bool sound = false;        //!< REBO2 would see the intended bonds; as of relax_level()
 };
 
+//! What acts on the atoms of a level beside the bonds.
+struct LevelOptions {
+  double tether = 0;                           //!< to the surface, eV/Angstrom^2
+  bool free_mean = true;                       //!< of the heights above the surface, see add_tether()
+  double steric_reach = default_steric_reach;  //!< below which unbonded atoms repel each other, Angstrom
+  Running running = {};
+};
+
 //! The dual of a triangulation as it is, but for triangles that hang on by one side, which are left out; with
 //! hydrogen at its boundary. Nothing if parts are so thin for its faces that it pinches them.
-std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, double tether, bool free_mean,
-                                       const Running& running = {});
+std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, const LevelOptions& options);
 
 //! Whether REBO2 would see the intended bonds at the present positions, with a margin for relaxation without
 //! the tether.

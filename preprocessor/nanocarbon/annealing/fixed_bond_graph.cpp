@@ -31,6 +31,7 @@ FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network, const Space& sp
   FixedBondGraph graph;
   graph.space = space;
   graph.hydrogen = network.hydrogen;
+  graph.steric_reach = network.steric_reach;
   graph.neighbours.reserve(network.atoms.size());
   for (const TrivalentAtom& atom : network.atoms)
     graph.neighbours.push_back(atom.exists() ? atom.neighbour : std::array{no_atom, no_atom, no_atom});

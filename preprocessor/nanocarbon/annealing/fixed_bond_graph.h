@@ -20,8 +20,9 @@ namespace nanocarbon::annealing {
 struct FixedBondGraph {
   std::vector<std::array<AtomIndex, 3>> neighbours;
   std::size_t inner = static_cast<std::size_t>(-1);
-  bool hydrogen =
-      false;         //!< whether atoms with two neighbours bind hydrogen, which has no entry (open_atoms.h)
+  //! Whether atoms with two neighbours bind hydrogen, which has no entry (open_atoms.h).
+  bool hydrogen = false;
+  double steric_reach = default_steric_reach;  //!< of unbonded atoms, see steric_contacts.h; Angstrom
   Space space = {};  //!< of the positions: in a cell each bond is with the nearest image
 
   std::size_t inner_count() const { return std::min(inner, neighbours.size()); }

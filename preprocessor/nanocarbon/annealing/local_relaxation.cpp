@@ -99,6 +99,7 @@ class PieceModel {
     FixedBondGraph graph;
     graph.inner = piece.inner;
     graph.hydrogen = whole.graph.hydrogen;
+    graph.steric_reach = whole.graph.steric_reach;
     for (const AtomIndex a : piece.atoms) {
       auto& neighbours = graph.neighbours.emplace_back(whole.graph.neighbours[a]);
       for (AtomIndex& n : neighbours)
@@ -143,7 +144,8 @@ class PieceModel {
     energy += add_boundary_tether(edges_, rebo2_.graph(), reach_, positions_, gradient_);
     for (const Contact& c : contacts_) {
       Vec3 at_one = Vec3::Zero();
-      energy += steric_pair(at[c.one], c.other == none ? c.held : at[c.other], at_one);
+      energy +=
+          steric_pair(at[c.one], c.other == none ? c.held : at[c.other], rebo2_.graph().steric_reach, at_one);
       gradient_[c.one] += at_one;
       if (c.other != none) gradient_[c.other] -= at_one;
     }

@@ -15,6 +15,7 @@ SwitchingState state_of(const TriangleMesh& triangulation, const SwitchingState&
   SwitchingState state;
   state.network = trivalent_network(triangulation);
   state.network.hydrogen = coarse.network.hydrogen;
+  state.network.steric_reach = coarse.network.steric_reach;
   state.tether = coarse.tether;
   state.free_mean = coarse.free_mean;
   state.space = triangulation.space;

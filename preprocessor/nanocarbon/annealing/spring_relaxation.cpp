@@ -54,6 +54,7 @@ Part part_around(const FixedBondGraph& whole, std::span<const AtomIndex> atoms) 
       if (n != no_atom) n = number[n];
   }
   part.graph.hydrogen = whole.hydrogen;
+  part.graph.steric_reach = whole.steric_reach;
   part.graph.space = whole.space;
   return part;
 }

@@ -64,11 +64,11 @@ void atoms_within_bonds(const StericContacts::Neighbours& neighbours, AtomIndex 
 
 }  // namespace
 
-double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a) {
+double steric_pair(const Vec3& a, const Vec3& b, double reach, Vec3& gradient_at_a) {
   const Vec3 d = a - b;
   const double r2 = d.squaredNorm();
-  if (r2 >= steric_reach * steric_reach) return 0;
-  const double r = std::max(std::sqrt(r2), 1e-6), overlap = steric_reach - r;
+  if (r2 >= reach * reach) return 0;
+  const double r = std::max(std::sqrt(r2), 1e-6), overlap = reach - r;
   gradient_at_a -= stiffness * overlap / r * d;
   return 0.5 * stiffness * overlap * overlap;
 }
@@ -82,12 +82,18 @@ bool used(const StericContacts::Neighbours& neighbours, AtomIndex a) {
 
 }  // namespace
 
+void StericContacts::start(double reach) {
+  reach_ = reach;
+  watch_ = ApproachWatch(reach, steric_margin);
+  pairs_ = KeptPairs(reach, steric_margin);
+}
+
 void StericContacts::renew(std::span<const Vec3> positions, const FixedBondGraph& graph, ThreadTeam* team) {
   const Neighbours& neighbours = graph.neighbours;
+  start(graph.steric_reach);
   watch_.set(positions);
-  pairs_ = KeptPairs(steric_reach, steric_margin);
   const NeighbourList candidates =
-      neighbours_within(positions, graph.space.cell(), steric_reach + steric_margin, team);
+      neighbours_within(positions, graph.space.cell(), reach_ + steric_margin, team);
   offsets_.assign(1, 0);
   near_.clear();
   Walks close;
@@ -121,6 +127,7 @@ void StericContacts::renew_where_nearer(std::span<const Vec3> positions, const F
 
 double StericContacts::evaluate(std::span<const Vec3> positions, const FixedBondGraph& graph,
                                 std::span<Vec3> gradient, ThreadTeam* team) {
+  if (reach_ != graph.steric_reach) start(graph.steric_reach);
   if (!graph.space.periodic() && positions.size() >= least_large)
     renew_where_nearer(positions, graph, team);
   else if (watch_.may_be_closer(positions, !graph.space.periodic(), team))
@@ -132,7 +139,7 @@ double StericContacts::evaluate(std::span<const Vec3> positions, const FixedBond
     for (std::size_t a = begin; a < end; ++a)
       for (const AtomIndex b : near(static_cast<AtomIndex>(a))) {
         const double pair =
-            steric_pair(positions[a], graph.space.beside(positions[b], positions[a]), gradient[a]);
+            steric_pair(positions[a], graph.space.beside(positions[b], positions[a]), reach_, gradient[a]);
         if (b > a) energy += pair;
       }
     return energy;

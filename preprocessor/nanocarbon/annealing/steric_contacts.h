@@ -13,17 +13,15 @@
 
 namespace nanocarbon::annealing {
 
-//! Distance below which unbonded atoms repel each other, Angstrom. REBO2 itself sees other atoms up to 2.0.
-inline constexpr double steric_reach = 2.9;
 //! By this much farther apart pairs are listed, Angstrom.
 inline constexpr double steric_margin = 0.8;
 
 //! Bonds apart up to which two atoms never repel: the angles and rings of the network hold those apart.
 inline constexpr unsigned steric_excluded_bonds = 3;
 
-//! Harmonic repulsion of one pair: (k / 2)(reach - r)^2 below the reach, k = 8 eV/Angstrom^2. Adds the
+//! Harmonic repulsion of one pair: (k / 2)(reach - r)^2 below the reach in Angstrom, k = 8 eV/Angstrom^2. Adds the
 //! gradient at `a` to it and returns the energy in eV; the gradient at b is its opposite.
-double steric_pair(const Vec3& a, const Vec3& b, Vec3& gradient_at_a);
+double steric_pair(const Vec3& a, const Vec3& b, double reach, Vec3& gradient_at_a);
 
 //! \brief Keeps atoms apart that are not bonded: sheets that nearly touch, thin parts, folds.
 //! \details The fixed-bond energy does not know unbonded atoms. Pairs are taken from a cell list with a
@@ -33,7 +31,8 @@ class StericContacts {
  public:
   using Neighbours = std::vector<std::array<AtomIndex, 3>>;
 
-  //! Lists the pairs of atoms more than steric_excluded_bonds apart that are within the reach and the margin.
+  //! Lists the pairs of atoms more than steric_excluded_bonds apart that are within the graph's reach and the
+  //! margin.
   void renew(std::span<const Vec3> positions, const FixedBondGraph& graph, ThreadTeam* team = nullptr);
 
   //! Energy in eV, gradient added to; renews the pairs first where atoms have moved too far.
@@ -47,12 +46,15 @@ class StericContacts {
   }
 
  private:
+  void start(double reach);
   void renew_where_nearer(std::span<const Vec3> positions, const FixedBondGraph& graph, ThreadTeam* team);
 
   std::vector<std::size_t> offsets_;
   std::vector<AtomIndex> near_;
-  ApproachWatch watch_{steric_reach, steric_margin};
-  KeptPairs pairs_{steric_reach, steric_margin};  // in place of the watch, of large molecules in free space
+  double reach_ = 0;  // what these are of, Angstrom
+  ApproachWatch watch_{default_steric_reach, steric_margin};
+  // In place of the watch, of large molecules in free space.
+  KeptPairs pairs_{default_steric_reach, steric_margin};
 };
 
 }  // namespace nanocarbon::annealing

@@ -37,6 +37,7 @@ void SwitchingPatch::gather(const SwitchingState& state, const NetworkEdit& edit
   reach_ = state.reach;
   space_ = state.space;
   graph_.hydrogen = network.hydrogen;
+  graph_.steric_reach = network.steric_reach;
   added_ = static_cast<std::size_t>(edit.added);
   positions_.clear();
   // Beside the atom that it is taken after.
@@ -245,7 +246,7 @@ double SwitchingPatch::energy_and_gradient(std::span<const Vec3> free, std::span
     Vec3 at_own = Vec3::Zero();
     energy += steric_pair(positions_[contact.local],
                           both_free ? Vec3(positions_[contact.other_local] + contact.other) : contact.other,
-                          at_own);
+                          graph_.steric_reach, at_own);
     gradient_[contact.local] += at_own;
     if (both_free) gradient_[contact.other_local] -= at_own;
   }

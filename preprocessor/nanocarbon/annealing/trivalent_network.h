@@ -14,6 +14,9 @@ namespace nanocarbon::annealing {
 using RingIndex = std::uint32_t;
 inline constexpr AtomIndex no_atom = 0xffffffffu;
 
+//! Distance below which unbonded atoms repel each other, Angstrom. REBO2 itself sees other atoms up to 2.0.
+inline constexpr double default_steric_reach = 2.9;
+
 //! An atom of a trivalent network, the dual of a triangle: corner s of the triangle is ring[s], and
 //! neighbour[s] lies across the side opposite to it, so the bond to neighbour[s] separates ring[s + 1] from
 //! ring[s + 2]. Slots run counter-clockwise seen from outside.
@@ -37,6 +40,7 @@ struct TrivalentNetwork {
   std::vector<TrivalentAtom> atoms;
   std::vector<TrivalentRing> rings;
   bool hydrogen = false;  //!< whether atoms with a side on the boundary bind hydrogen there
+  double steric_reach = default_steric_reach;  //!< of unbonded atoms, see steric_contacts.h; Angstrom
 };
 
 //! The dual network of a triangulation: atom i is triangle i, ring v is vertex v.

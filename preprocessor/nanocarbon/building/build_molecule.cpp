@@ -179,7 +179,8 @@ bool may_open_out(const TriangleMesh& surface) {
   return !surface.space.periodic() && !mesh::mesh_topology(surface).closed();
 }
 
-AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh& surface, ThreadTeam& team) {
+AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh& surface,
+                                const potential::Potential& potential, ThreadTeam& team) {
   AnnealOptions annealing{.quality = options.quality,
                           .tether = tether_of(options),
                           .force_tolerance = options.force_tolerance,
@@ -189,6 +190,7 @@ AnnealOptions annealing_options(const BuildOptions& options, const TriangleMesh&
                           .relax_cell = relaxed_strains(options, surface),
                           .hydrogen = options.boundary == Boundary::hydrogen,
                           .progress = options.progress};
+  if (potential.unbonded_reach() > 0) annealing.steric_reach = steric_reach_of_layers;
   if (surface.space.periodic()) {
     const std::vector<int> ranks = ranks_of(surface);
     if (*std::min_element(ranks.begin(), ranks.end()) == 3) annealing.largest_ring = 8;
@@ -200,7 +202,8 @@ AnnealResult annealed(const SizedSurface& surface, potential::Potential& potenti
                       const BuildOptions& options) {
   ThreadTeam team(std::max(1u, options.threads));
   try {
-    return anneal(surface.mesh, surface.atoms, potential, annealing_options(options, surface.mesh, team));
+    return anneal(surface.mesh, surface.atoms, potential,
+                  annealing_options(options, surface.mesh, potential, team));
   } catch (const UserError& error) {
     if (error.failure() == Failure::size) throw TooFewAtoms(error.failure(), error.what());
     throw;

@@ -19,7 +19,7 @@ CrystalStart crystal_start(const TriangleMesh& surface, std::size_t atoms, const
                                                                      .team = options.running.team,
                                                                      .progress = options.progress});
   const double seconds = watch.lap();
-  return {annealing::level_on(made.mesh, options.tether, !options.keep_size, options.running), seconds};
+  return {annealing::level_on(made.mesh, level_options(options)), seconds};
 }
 
 CrystalStart full_size_start(const TriangleMesh& surface, std::size_t atoms, const AnnealOptions& options) {

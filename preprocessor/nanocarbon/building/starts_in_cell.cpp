@@ -249,7 +249,7 @@ std::optional<AnnealedStart> start_without_defects(const TriangleMesh& surface, 
                                                    const AnnealOptions& options) {
   const std::optional<TriangleMesh> triangulation = crystal::hexagonal_triangulation(surface, atoms);
   if (!triangulation) return {};
-  auto level = annealing::level_on(*triangulation, options.tether, !options.keep_size, options.running);
+  auto level = annealing::level_on(*triangulation, level_options(options));
   if (!level) return {};
   annealing::relax_level(*level, annealing::TetherSurface(surface, 1));
   if (!annealing::holds(*level)) return {};

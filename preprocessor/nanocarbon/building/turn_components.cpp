@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/core/point_buckets.h"
 #include "nanocarbon/core/random_stream.h"
 #include "nanocarbon/mesh/nearest_point.h"
 
@@ -18,7 +19,9 @@ namespace {
 
 constexpr double sigma = 3.4, well_depth = 2.84e-3, reach = 5.0;  // Angstrom, eV, Angstrom
 constexpr double closest = 1.0;  // Angstrom: atoms nearer than this count as that near
-constexpr std::size_t most_trials = 400, least_trials = 60, atoms_tried = 1'000'000;  // a second's work
+// A second's work or two: of each component by chance, then of the best by less and less.
+constexpr std::size_t most_trials = 4000, least_trials = 60, atoms_tried = 4'000'000;
+constexpr std::size_t kept_trials = 8, narrow_trials = 100;
 constexpr double widest = 0.4, narrowest = 0.01;  // radians, of narrow trials
 constexpr double leaving = 0.05;                  // Angstrom
 constexpr std::size_t sampled_atoms = 200;
@@ -38,6 +41,37 @@ double energy_between(std::span<const Vec3> positions, const topology::Component
         energy += lennard_jones((positions[n.atom] - positions[a]).squaredNorm());
   return energy;
 }
+
+//! Atoms that stay where they are, and what others feel of them.
+class Placed {
+ public:
+  explicit Placed(std::span<const Vec3> positions)
+      : buckets_(positions, [&](std::size_t i) { return bin_of(positions[i]); }) {}
+
+  //! Lennard-Jones energy of an atom there, eV.
+  double energy(const Vec3& at) const {
+    double sum = 0;
+    const PointBuckets::Bin home = bin_of(at);
+    for (std::int64_t dx = -1; dx <= 1; ++dx)
+      for (std::int64_t dy = -1; dy <= 1; ++dy)
+        for (std::int64_t dz = -1; dz <= 1; ++dz)
+          buckets_.for_each_in({home[0] + dx, home[1] + dy, home[2] + dz},
+                               [&](const PointBuckets::Entry& other) {
+                                 const double squared = (other.position - at).squaredNorm();
+                                 if (squared < reach * reach) sum += lennard_jones(squared);
+                               });
+    return sum;
+  }
+
+ private:
+  static PointBuckets::Bin bin_of(const Vec3& p) {
+    PointBuckets::Bin bin;
+    for (int d = 0; d < 3; ++d) bin[d] = static_cast<std::int64_t>(std::floor(p[d] / reach));
+    return bin;
+  }
+
+  PointBuckets buckets_;
+};
 
 Vec3 direction(RandomStream& random) {
   const double z = 2 * random.uniform() - 1, angle = 2 * std::numbers::pi * random.uniform();
@@ -59,6 +93,15 @@ class Turnable {
     }
     axes_ = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors();
     allowed_ = distance(Mat3::Identity()) + leaving;
+  }
+
+  std::size_t size() const { return atoms_.size(); }
+
+  //! Lennard-Jones energy, eV.
+  double energy(const Mat3& turn, const Placed& others) const {
+    double sum = 0;
+    for (const Vec3& p : start_) sum += others.energy(centre_ + turn * p);
+    return sum;
   }
 
   bool on_surface(const Mat3& turn) const { return distance(turn) <= allowed_; }
@@ -94,31 +137,38 @@ class Turnable {
   const mesh::NearestPoint& surface_;
 };
 
-// Returns whether it lies otherwise than before; `energy` is that of `positions`, before and after.
-bool turn(const Turnable& component, const topology::Components& components, std::span<Vec3> positions,
-          double& energy, RandomStream& random) {
-  const std::size_t trials = std::clamp(atoms_tried / positions.size(), least_trials, most_trials);
-  const std::size_t wide_trials = trials * 3 / 4;
-  Mat3 best = Mat3::Identity();
-  bool turned = false;
-  for (std::size_t trial = 0; trial < trials; ++trial) {
-    double angle = std::numbers::pi;
-    if (trial >= wide_trials) {
-      const double done =
-          static_cast<double>(trial - wide_trials) / static_cast<double>(trials - wide_trials);
-      angle = widest * std::pow(narrowest / widest, done);
-    }
-    const Mat3 tried = component.random_turn(angle, random) * best;
-    if (!component.on_surface(tried)) continue;
-    component.place(tried, positions);
-    const double found = energy_between(positions, components);
-    if (found >= energy) continue;
-    energy = found;
-    best = tried;
-    turned = true;
+struct Trial {
+  Mat3 turn;
+  double energy;  // eV
+};
+
+// By less and less from where it is, whatever lowers the energy.
+void improve(const Turnable& component, const Placed& others, Trial& best, RandomStream& random) {
+  for (std::size_t k = 0; k < narrow_trials; ++k) {
+    const double done = static_cast<double>(k) / static_cast<double>(narrow_trials);
+    const double angle = widest * std::pow(narrowest / widest, done);
+    const Mat3 tried = component.random_turn(angle, random) * best.turn;
+    const double found = component.energy(tried, others);
+    if (found < best.energy && component.on_surface(tried)) best = {tried, found};
   }
-  component.place(best, positions);
-  return turned;
+}
+
+// The best of many turns by chance, the first of which leaves it as it lies.
+Trial best_turn(const Turnable& component, const Placed& others, RandomStream& random) {
+  const std::size_t trials = std::clamp(atoms_tried / component.size(), least_trials, most_trials);
+  const auto lower = [](const Trial& a, const Trial& b) { return a.energy < b.energy; };
+  std::vector<Trial> kept{{Mat3::Identity(), component.energy(Mat3::Identity(), others)}};
+  for (std::size_t k = 0; k < trials; ++k) {
+    const Mat3& from = kept[random.below(kept.size())].turn;
+    Trial tried{component.random_turn(std::numbers::pi, random) * from, 0};
+    tried.energy = component.energy(tried.turn, others);
+    const bool full = kept.size() == kept_trials;
+    if ((full && !lower(tried, kept.back())) || !component.on_surface(tried.turn)) continue;
+    if (full) kept.pop_back();
+    kept.insert(std::upper_bound(kept.begin(), kept.end(), tried, lower), tried);
+  }
+  for (Trial& trial : kept) improve(component, others, trial, random);
+  return *std::min_element(kept.begin(), kept.end(), lower);
 }
 
 }  // namespace
@@ -133,15 +183,27 @@ TurnedComponents turn_components(std::span<Vec3> positions, const topology::Comp
   std::vector<std::vector<std::size_t>> atoms(components.count);
   for (std::size_t a = 0; a < positions.size(); ++a) atoms[components.of_atom[a]].push_back(a);
   std::stable_sort(atoms.begin(), atoms.end(),
-                   [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  atoms.pop_back();
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
 
   const mesh::NearestPoint nearest(surface);
+  std::vector<Vec3> placed;
   for (std::size_t k = 0; k < atoms.size(); ++k) {
-    RandomStream random(seed, k);
-    if (turn(Turnable(std::move(atoms[k]), positions, nearest), components, positions, result.after, random))
-      ++result.turned;
+    if (k > 0) {
+      const Placed others(placed);
+      const Turnable component(atoms[k], positions, nearest);
+      const double before = component.energy(Mat3::Identity(), others);
+      if (before != 0) {
+        RandomStream random(seed, k);
+        const Trial best = best_turn(component, others, random);
+        if (best.energy < before) {
+          component.place(best.turn, positions);
+          ++result.turned;
+        }
+      }
+    }
+    for (const std::size_t a : atoms[k]) placed.push_back(positions[a]);
   }
+  if (result.turned > 0) result.after = energy_between(positions, components);
   return result;
 }
 

@@ -20,11 +20,12 @@ struct TurnedComponents {
 
 //! \brief Turns components that face each other, as the shells of an onion, to where pentagons and rows of atoms
 //! meet least.
-//! \details The shells of an onion, or tubes within each other, turn nearly freely: where they happen to lie, corners
-//! of one may press on those of the next. All but the largest component are turned about their centres, by chance and
-//! then by less and less, wherever that keeps them on the surface: the root mean square distance of their atoms may
-//! grow by 0.05 Angstrom. What counts is the Lennard-Jones energy of graphite's layers (3.4 Angstrom, 2.84 meV), up to
-//! 5 Angstrom. Nothing happens where no two components are that near.
+//! \details The shells of an onion, or tubes within each other, turn nearly freely: where they happen to lie,
+//! corners of one may press on those of the next. From the largest one on, which stays, each component is
+//! turned about its centre to where it fits those before it: by chance, and the best eight by less and less,
+//! wherever that keeps it on the surface: the root mean square distance of its atoms may grow by 0.05
+//! Angstrom. What counts is the Lennard-Jones energy of graphite's layers (3.4 Angstrom, 2.84 meV), up to 5
+//! Angstrom. Nothing happens where no two components are that near.
 //! \param positions Angstrom, in free space
 //! \param components of the atoms
 //! \param surface Angstrom, on which the atoms are

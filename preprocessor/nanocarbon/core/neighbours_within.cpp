@@ -3,15 +3,15 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "nanocarbon/core/chunks.h"
+#include "nanocarbon/core/point_buckets.h"
 
 namespace nanocarbon {
 namespace {
 
-using Bin = std::array<std::int64_t, 3>;
+using Bin = PointBuckets::Bin;
 
 struct Grid {
   Mat3 to_fractional;                 // Cartesian to bins of unit size along the lattice directions
@@ -37,38 +37,9 @@ Grid make_grid(const Cell* cell, double cutoff) {
   return grid;
 }
 
-// A bin as one number. Bins two million apart share it; distances tell those apart.
-std::uint64_t packed(const Bin& bin) {
-  constexpr std::uint64_t mask = (std::uint64_t{1} << 21) - 1;
-  return (static_cast<std::uint64_t>(bin[0]) & mask) << 42 |
-         (static_cast<std::uint64_t>(bin[1]) & mask) << 21 | (static_cast<std::uint64_t>(bin[2]) & mask);
-}
-
-std::uint64_t hash(std::uint64_t key) {
-  key *= 0x9e3779b97f4a7c15ull;
-  key ^= key >> 32;
-  key *= 0xff51afd7ed558ccdull;
-  return key ^ key >> 32;
-}
-
 std::int64_t floor_div(std::int64_t a, std::int64_t b) {
   return a / b - ((a % b != 0) && ((a < 0) != (b < 0)));
 }
-
-// Atoms sorted by the hash bucket of their bin, with what is looked at of them side by side.
-struct Buckets {
-  explicit Buckets(std::size_t atoms) : count(std::bit_ceil(std::max<std::size_t>(16, 2 * atoms))) {}
-  std::size_t of(std::uint64_t key) const { return static_cast<std::size_t>(hash(key)) & (count - 1); }
-
-  struct Entry {
-    std::uint64_t key;
-    Vec3 position;
-    std::uint32_t atom;
-  };
-  std::size_t count;
-  std::vector<std::uint32_t> start;
-  std::vector<Entry> entries;
-};
 
 }  // namespace
 
@@ -88,17 +59,7 @@ NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cel
     }
   }
 
-  Buckets buckets(n);
-  buckets.start.assign(buckets.count + 1, 0);
-  buckets.entries.resize(n);
-  for (std::size_t i = 0; i < n; ++i) ++buckets.start[buckets.of(packed(bin[i])) + 1];
-  for (std::size_t b = 0; b < buckets.count; ++b) buckets.start[b + 1] += buckets.start[b];
-  std::vector<std::uint32_t> fill(buckets.start.begin(), buckets.start.end() - 1);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint64_t key = packed(bin[i]);
-    buckets.entries[fill[buckets.of(key)]++] = {key, positions[i], static_cast<std::uint32_t>(i)};
-  }
-
+  const PointBuckets buckets(positions, [&](std::size_t i) { return bin[i]; });
   const double cutoff_squared = cutoff * cutoff;
   const auto add_neighbours = [&](std::size_t i, std::vector<Neighbour>& found) {
     for (std::int64_t dx = -grid.reach[0]; dx <= grid.reach[0]; ++dx)
@@ -111,20 +72,16 @@ NeighbourList neighbours_within(std::span<const Vec3> positions, const Cell* cel
               crossed[d] = floor_div(target[d], grid.bins[d]);
               target[d] -= crossed[d] * grid.bins[d];
             }
-          const std::uint64_t key = packed(target);
-          const std::size_t bucket = buckets.of(key);
-          for (std::uint32_t slot = buckets.start[bucket]; slot < buckets.start[bucket + 1]; ++slot) {
-            const Buckets::Entry& other = buckets.entries[slot];
-            if (other.key != key) continue;
-            const std::uint32_t j = other.atom;
+          buckets.for_each_in(target, [&](const PointBuckets::Entry& other) {
+            const std::uint32_t j = other.point;
             std::array<std::int32_t, 3> image;
             for (int d = 0; d < 3; ++d)
               image[d] = static_cast<std::int32_t>(crossed[d] - home[j][d] + home[i][d]);
-            if (j == i && image == std::array<std::int32_t, 3>{0, 0, 0}) continue;
+            if (j == i && image == std::array<std::int32_t, 3>{0, 0, 0}) return;
             Vec3 delta = other.position - positions[i];
             if (cell) delta += image_shift(*cell, image);
             if (delta.squaredNorm() < cutoff_squared) found.push_back({j, image});
-          }
+          });
         }
   };
 
