@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/annealing/refused_switches.h"
 #include "nanocarbon/annealing/switching_trial.h"
 #include "nanocarbon/core/thread_team.h"
@@ -75,19 +77,12 @@ constexpr unsigned farthest_tried = 10;
 std::vector<bool> atoms_around(const TrivalentNetwork& network, std::span<const AtomIndex> some) {
   std::vector<bool> found(network.atoms.size(), some.empty());
   std::vector<AtomIndex> reached;
-  for (const AtomIndex a : some)
-    if (!found[a]) {
-      found[a] = true;
-      reached.push_back(a);
-    }
+  const FirstTime first(found);
+  std::copy_if(some.begin(), some.end(), std::back_inserter(reached), first);
+  const auto neighbours_of = [&](AtomIndex a) { return network.atoms[a].neighbour; };
   std::size_t shell = 0;
   for (unsigned k = 0; k < farthest_tried && !some.empty(); ++k)
-    for (const std::size_t end = reached.size(); shell < end; ++shell)
-      for (const AtomIndex n : network.atoms[reached[shell]].neighbour)
-        if (n != no_atom && !found[n]) {
-          found[n] = true;
-          reached.push_back(n);
-        }
+    add_bond_shell(neighbours_of, reached, shell, first);
   return found;
 }
 

@@ -38,6 +38,23 @@ FixedBondGraph fixed_bond_graph(const TrivalentNetwork& network, const Space& sp
   return graph;
 }
 
+FixedBondGraph part_of(const FixedBondGraph& whole, std::span<const AtomIndex> atoms, std::size_t inner,
+                       std::vector<AtomIndex>& number) {
+  FixedBondGraph part;
+  part.inner = inner;
+  part.hydrogen = whole.hydrogen;
+  part.steric_reach = whole.steric_reach;
+  part.space = whole.space;
+  for (AtomIndex k = 0; k < atoms.size(); ++k) number[atoms[k]] = k;
+  part.neighbours.reserve(atoms.size());
+  for (const AtomIndex a : atoms) {
+    auto& neighbours = part.neighbours.emplace_back(whole.neighbours[a]);
+    for (AtomIndex& n : neighbours)
+      if (n != no_atom) n = number[n];
+  }
+  return part;
+}
+
 multilevel::NodeGraph bonded_atoms(const FixedBondGraph& graph) {
   std::vector<std::pair<AtomIndex, AtomIndex>> pairs;
   for (AtomIndex a = 0; a < graph.neighbours.size(); ++a)

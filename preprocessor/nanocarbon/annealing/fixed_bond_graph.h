@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "nanocarbon/annealing/trivalent_network.h"
@@ -30,6 +31,8 @@ struct FixedBondGraph {
     const auto& n = neighbours[atom];
     return n[0] != no_atom && n[1] != no_atom && n[2] != no_atom;
   }
+  //! Neighbours of an atom.
+  const std::array<AtomIndex, 3>& operator()(AtomIndex atom) const { return neighbours[atom]; }
   //! Whether an atom has two neighbours, and hydrogen in place of the third.
   bool open(AtomIndex atom) const {
     const auto& n = neighbours[atom];
@@ -46,6 +49,12 @@ struct FixedBondGraph {
 //! The bond graph of a molecule.
 //! \throw UserError (unsuitable) if an atom has more than three bonds.
 FixedBondGraph fixed_bond_graph(const Molecule& molecule);
+
+//! \brief The graph of some atoms of a larger one, numbered as they come; bonds to others are missing.
+//! \param inner number of atoms before those that only lend their positions
+//! \param number no_atom for each atom of the whole; becomes the number in the part of those that are in it
+FixedBondGraph part_of(const FixedBondGraph& whole, std::span<const AtomIndex> atoms, std::size_t inner,
+                       std::vector<AtomIndex>& number);
 
 //! The same graph as preconditioners want it.
 multilevel::NodeGraph bonded_atoms(const FixedBondGraph& graph);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/annealing/boundary_curve.h"
 #include "nanocarbon/annealing/fixed_bond_rebo2.h"
 #include "nanocarbon/core/chunks.h"
@@ -36,16 +37,6 @@ struct Contact {
 };
 constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
-// Adds atoms next to those from `shell` on, up to so many bonds away.
-template <typename Take>
-void grow(const FixedBondGraph& graph, std::vector<AtomIndex>& atoms, std::size_t& shell, unsigned bonds,
-          const Take& take) {
-  for (unsigned k = 0; k < bonds; ++k)
-    for (const std::size_t end = atoms.size(); shell < end; ++shell)
-      for (const AtomIndex n : graph.neighbours[atoms[shell]])
-        if (n != no_atom && take(n)) atoms.push_back(n);
-}
-
 // What is around the atoms given, in pieces that do not touch each other, halo included.
 std::vector<Piece> pieces_around(const FixedBondGraph& graph, std::span<const AtomIndex> forced) {
   // 1 + bonds to the next forced atom.
@@ -54,7 +45,7 @@ std::vector<Piece> pieces_around(const FixedBondGraph& graph, std::span<const At
   for (const AtomIndex a : forced) distance[a] = 1;
   std::size_t shell = 0;
   for (unsigned k = 0; k < reach + halo; ++k)
-    grow(graph, all, shell, 1, [&](AtomIndex n) {
+    add_bond_shell(graph, all, shell, [&](AtomIndex n) {
       if (distance[n] != 0) return false;
       distance[n] = static_cast<std::uint8_t>(k + 2);
       return true;
@@ -68,7 +59,7 @@ std::vector<Piece> pieces_around(const FixedBondGraph& graph, std::span<const At
     done[start] = true;
     std::size_t next = 0;
     while (next < piece.atoms.size())
-      grow(graph, piece.atoms, next, 1, [&](AtomIndex n) {
+      add_bond_shell(graph, piece.atoms, next, [&](AtomIndex n) {
         if (done[n] || distance[n] == 0) return false;
         done[n] = true;
         return true;
@@ -95,15 +86,9 @@ class PieceModel {
   PieceModel(const HeldMolecule& whole, const std::vector<Vec3>& positions, const Piece& piece,
              std::vector<std::uint32_t>& number)
       : moving_(piece.moving) {
-    for (std::uint32_t k = 0; k < piece.atoms.size(); ++k) number[piece.atoms[k]] = k;
-    FixedBondGraph graph;
-    graph.inner = piece.inner;
-    graph.hydrogen = whole.graph.hydrogen;
-    graph.steric_reach = whole.graph.steric_reach;
+    FixedBondGraph graph = part_of(whole.graph, piece.atoms, piece.inner, number);
+    graph.space = {};
     for (const AtomIndex a : piece.atoms) {
-      auto& neighbours = graph.neighbours.emplace_back(whole.graph.neighbours[a]);
-      for (AtomIndex& n : neighbours)
-        if (n != no_atom) n = number[n];
       positions_.push_back(positions[a]);
       if (!whole.planes.empty()) {
         planes_.push_back(whole.planes[a]);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "nanocarbon/annealing/spring_relaxation.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/annealing/network_springs.h"
 
 namespace nanocarbon::annealing {
@@ -22,40 +26,19 @@ struct Part {
   FixedBondGraph graph;
 };
 
-void add_shell(const FixedBondGraph& whole, std::vector<AtomIndex>& atoms, std::size_t& shell,
-               std::vector<bool>& inside) {
-  for (const std::size_t end = atoms.size(); shell < end; ++shell)
-    for (const AtomIndex n : whole.neighbours[atoms[shell]])
-      if (n != no_atom && !inside[n]) {
-        inside[n] = true;
-        atoms.push_back(n);
-      }
-}
-
 Part part_around(const FixedBondGraph& whole, std::span<const AtomIndex> atoms) {
   Part part;
   std::vector<bool> inside(whole.neighbours.size(), false);
-  for (const AtomIndex a : atoms)
-    if (!inside[a]) {
-      inside[a] = true;
-      part.atoms.push_back(a);
-    }
+  const FirstTime first(inside);
+  std::copy_if(atoms.begin(), atoms.end(), std::back_inserter(part.atoms), first);
   std::size_t shell = 0;
-  for (unsigned k = 0; k < moved_beyond; ++k) add_shell(whole, part.atoms, shell, inside);
+  for (unsigned k = 0; k < moved_beyond; ++k) add_bond_shell(whole, part.atoms, shell, first);
   part.moving = part.atoms.size();
-  add_shell(whole, part.atoms, shell, inside);
-  part.graph.inner = part.atoms.size();
-  add_shell(whole, part.atoms, shell, inside);
+  add_bond_shell(whole, part.atoms, shell, first);
+  const std::size_t inner = part.atoms.size();
+  add_bond_shell(whole, part.atoms, shell, first);
   std::vector<AtomIndex> number(whole.neighbours.size(), no_atom);
-  for (AtomIndex k = 0; k < part.atoms.size(); ++k) number[part.atoms[k]] = k;
-  for (const AtomIndex a : part.atoms) {
-    auto& neighbours = part.graph.neighbours.emplace_back(whole.neighbours[a]);
-    for (AtomIndex& n : neighbours)
-      if (n != no_atom) n = number[n];
-  }
-  part.graph.hydrogen = whole.hydrogen;
-  part.graph.steric_reach = whole.steric_reach;
-  part.graph.space = whole.space;
+  part.graph = part_of(whole, part.atoms, inner, number);
   return part;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/core/chunks.h"
 #include "nanocarbon/core/neighbours_within.h"
 
@@ -53,12 +54,9 @@ void atoms_within_bonds(const StericContacts::Neighbours& neighbours, AtomIndex 
                         std::vector<AtomIndex>& found) {
   found.assign(1, start);
   std::size_t shell = 0;
-  for (unsigned distance = 0; distance < bonds; ++distance) {
-    const std::size_t end = found.size();
-    for (; shell < end; ++shell)
-      for (const AtomIndex n : neighbours[found[shell]])
-        if (n != no_atom && std::find(found.begin(), found.end(), n) == found.end()) found.push_back(n);
-  }
+  for (unsigned k = 0; k < bonds; ++k)
+    add_bond_shell([&](AtomIndex a) { return neighbours[a]; }, found, shell,
+                   [&](AtomIndex n) { return std::find(found.begin(), found.end(), n) == found.end(); });
   std::sort(found.begin(), found.end());
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/core/neighbours_within.h"
 
 namespace nanocarbon::annealing {
@@ -36,15 +37,7 @@ std::vector<AtomIndex> untangle(std::vector<Vec3>& positions, const FixedBondGra
   std::vector<bool> inside(positions.size(), false);
   for (const AtomIndex a : region) inside[a] = true;
   std::size_t shell = 0;
-  for (unsigned distance = 0; distance < radius; ++distance) {
-    const std::size_t end = region.size();
-    for (; shell < end; ++shell)
-      for (const AtomIndex n : graph.neighbours[region[shell]])
-        if (n != no_atom && !inside[n]) {
-          inside[n] = true;
-          region.push_back(n);
-        }
-  }
+  for (unsigned bonds = 0; bonds < radius; ++bonds) add_bond_shell(graph, region, shell, FirstTime(inside));
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (const AtomIndex a : region) {
       Vec3 sum = Vec3::Zero();
