@@ -20,8 +20,8 @@ namespace {
 constexpr double sigma = 3.4, well_depth = 2.84e-3, reach = 5.0;  // Angstrom, eV, Angstrom
 constexpr double closest = 1.0;  // Angstrom: atoms nearer than this count as that near
 // A second's work or two: of each component by chance, then of the best by less and less.
-constexpr std::size_t most_trials = 4000, least_trials = 60, atoms_tried = 4'000'000;
-constexpr std::size_t kept_trials = 8, narrow_trials = 100;
+constexpr std::size_t atoms_tried = 4'000'000, most_trials = 4000, least_trials = 60;
+constexpr std::size_t kept_trials = 8, most_narrow_trials = 100, least_narrow_trials = 8;
 constexpr double widest = 0.4, narrowest = 0.01;  // radians, of narrow trials
 constexpr double leaving = 0.05;                  // Angstrom
 constexpr std::size_t sampled_atoms = 200;
@@ -144,8 +144,10 @@ struct Trial {
 
 // By less and less from where it is, whatever lowers the energy.
 void improve(const Turnable& component, const Placed& others, Trial& best, RandomStream& random) {
-  for (std::size_t k = 0; k < narrow_trials; ++k) {
-    const double done = static_cast<double>(k) / static_cast<double>(narrow_trials);
+  const std::size_t trials =
+      std::clamp(atoms_tried / (kept_trials * component.size()), least_narrow_trials, most_narrow_trials);
+  for (std::size_t k = 0; k < trials; ++k) {
+    const double done = static_cast<double>(k) / static_cast<double>(trials);
     const double angle = widest * std::pow(narrowest / widest, done);
     const Mat3 tried = component.random_turn(angle, random) * best.turn;
     const double found = component.energy(tried, others);
