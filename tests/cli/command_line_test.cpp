@@ -27,7 +27,7 @@ TEST_F(CommandLine, PrintsItsHelpWhenNothingIsAskedOfIt) {
   const Outcome outcome = run("");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out, run("--help").out);
-  for (const char* subcommand : {"inspect", "build", "make", "energy"})
+  for (const char* subcommand : {"inspect", "build", "make", "energy", "analyse"})
     EXPECT_THAT(outcome.out, HasSubstr(subcommand));
 }
 

@@ -8,11 +8,11 @@
 #include <numeric>
 #include <utility>
 
-#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/annealing/refused_switches.h"
 #include "nanocarbon/annealing/switching_trial.h"
 #include "nanocarbon/core/thread_team.h"
 #include "nanocarbon/potential/rebo2/parameters.h"
+#include "nanocarbon/topology/bond_shells.h"
 
 namespace nanocarbon::annealing {
 
@@ -77,12 +77,12 @@ constexpr unsigned farthest_tried = 10;
 std::vector<bool> atoms_around(const TrivalentNetwork& network, std::span<const AtomIndex> some) {
   std::vector<bool> found(network.atoms.size(), some.empty());
   std::vector<AtomIndex> reached;
-  const FirstTime first(found);
+  const topology::FirstTime first(found);
   std::copy_if(some.begin(), some.end(), std::back_inserter(reached), first);
   const auto neighbours_of = [&](AtomIndex a) { return network.atoms[a].neighbour; };
   std::size_t shell = 0;
   for (unsigned k = 0; k < farthest_tried && !some.empty(); ++k)
-    add_bond_shell(neighbours_of, reached, shell, first);
+    topology::add_bond_shell(neighbours_of, reached, shell, first);
   return found;
 }
 

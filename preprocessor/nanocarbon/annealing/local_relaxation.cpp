@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/annealing/boundary_curve.h"
 #include "nanocarbon/annealing/fixed_bond_rebo2.h"
 #include "nanocarbon/core/chunks.h"
 #include "nanocarbon/minimisation/lbfgs.h"
+#include "nanocarbon/topology/bond_shells.h"
 
 namespace nanocarbon::annealing {
 
@@ -45,8 +45,8 @@ std::vector<Piece> pieces_around(const FixedBondGraph& graph, std::span<const At
   for (const AtomIndex a : forced) distance[a] = 1;
   std::size_t shell = 0;
   for (unsigned k = 0; k < reach + halo; ++k)
-    add_bond_shell(graph, all, shell, [&](AtomIndex n) {
-      if (distance[n] != 0) return false;
+    topology::add_bond_shell(graph, all, shell, [&](AtomIndex n) {
+      if (n == no_atom || distance[n] != 0) return false;
       distance[n] = static_cast<std::uint8_t>(k + 2);
       return true;
     });
@@ -59,8 +59,8 @@ std::vector<Piece> pieces_around(const FixedBondGraph& graph, std::span<const At
     done[start] = true;
     std::size_t next = 0;
     while (next < piece.atoms.size())
-      add_bond_shell(graph, piece.atoms, next, [&](AtomIndex n) {
-        if (done[n] || distance[n] == 0) return false;
+      topology::add_bond_shell(graph, piece.atoms, next, [&](AtomIndex n) {
+        if (n == no_atom || done[n] || distance[n] == 0) return false;
         done[n] = true;
         return true;
       });

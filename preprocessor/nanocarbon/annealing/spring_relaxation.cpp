@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/annealing/network_springs.h"
+#include "nanocarbon/topology/bond_shells.h"
 
 namespace nanocarbon::annealing {
 
@@ -29,14 +29,14 @@ struct Part {
 Part part_around(const FixedBondGraph& whole, std::span<const AtomIndex> atoms) {
   Part part;
   std::vector<bool> inside(whole.neighbours.size(), false);
-  const FirstTime first(inside);
+  const topology::FirstTime first(inside);
   std::copy_if(atoms.begin(), atoms.end(), std::back_inserter(part.atoms), first);
   std::size_t shell = 0;
-  for (unsigned k = 0; k < moved_beyond; ++k) add_bond_shell(whole, part.atoms, shell, first);
+  for (unsigned k = 0; k < moved_beyond; ++k) topology::add_bond_shell(whole, part.atoms, shell, first);
   part.moving = part.atoms.size();
-  add_bond_shell(whole, part.atoms, shell, first);
+  topology::add_bond_shell(whole, part.atoms, shell, first);
   const std::size_t inner = part.atoms.size();
-  add_bond_shell(whole, part.atoms, shell, first);
+  topology::add_bond_shell(whole, part.atoms, shell, first);
   std::vector<AtomIndex> number(whole.neighbours.size(), no_atom);
   part.graph = part_of(whole, part.atoms, inner, number);
   return part;

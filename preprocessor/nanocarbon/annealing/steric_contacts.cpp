@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/core/chunks.h"
 #include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/topology/bond_shells.h"
 
 namespace nanocarbon::annealing {
 
@@ -55,8 +55,9 @@ void atoms_within_bonds(const StericContacts::Neighbours& neighbours, AtomIndex 
   found.assign(1, start);
   std::size_t shell = 0;
   for (unsigned k = 0; k < bonds; ++k)
-    add_bond_shell([&](AtomIndex a) { return neighbours[a]; }, found, shell,
-                   [&](AtomIndex n) { return std::find(found.begin(), found.end(), n) == found.end(); });
+    topology::add_bond_shell(
+        [&](AtomIndex a) { return neighbours[a]; }, found, shell,
+        [&](AtomIndex n) { return n != no_atom && std::find(found.begin(), found.end(), n) == found.end(); });
   std::sort(found.begin(), found.end());
 }
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "nanocarbon/annealing/bond_shells.h"
 #include "nanocarbon/core/neighbours_within.h"
+#include "nanocarbon/topology/bond_shells.h"
 
 namespace nanocarbon::annealing {
 
@@ -37,7 +37,8 @@ std::vector<AtomIndex> untangle(std::vector<Vec3>& positions, const FixedBondGra
   std::vector<bool> inside(positions.size(), false);
   for (const AtomIndex a : region) inside[a] = true;
   std::size_t shell = 0;
-  for (unsigned bonds = 0; bonds < radius; ++bonds) add_bond_shell(graph, region, shell, FirstTime(inside));
+  for (unsigned bonds = 0; bonds < radius; ++bonds)
+    topology::add_bond_shell(graph, region, shell, topology::FirstTime(inside));
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (const AtomIndex a : region) {
       Vec3 sum = Vec3::Zero();

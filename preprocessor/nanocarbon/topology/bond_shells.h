@@ -4,17 +4,17 @@
 #include <cstddef>
 #include <vector>
 
-#include "nanocarbon/annealing/trivalent_network.h"
+#include "nanocarbon/topology/bonds.h"
 
-namespace nanocarbon::annealing {
+namespace nanocarbon::topology {
 
-//! Takes every atom once.
+//! Takes every atom once, and none that there is not.
 class FirstTime {
  public:
   //! \param taken one for each atom, true where it has been taken
   explicit FirstTime(std::vector<bool>& taken) : taken_(taken) {}
   bool operator()(AtomIndex atom) const {
-    if (taken_[atom]) return false;
+    if (atom >= taken_.size() || taken_[atom]) return false;
     taken_[atom] = true;
     return true;
   }
@@ -24,15 +24,15 @@ class FirstTime {
 };
 
 //! \brief Appends the atoms one bond farther: a step of a search breadth first.
-//! \param neighbours_of called with an atom: its neighbours, no_atom for a missing one
+//! \param neighbours_of called with an atom: its neighbours, any number for a missing one
 //! \param shell where the last shell begins in `atoms`; becomes where the new one does
-//! \param take called with every neighbour of the last shell: whether to append it
+//! \param take called with every neighbour of the last shell, the missing ones too: whether to append it
 template <typename NeighboursOf, typename Take>
 void add_bond_shell(const NeighboursOf& neighbours_of, std::vector<AtomIndex>& atoms, std::size_t& shell,
                     const Take& take) {
   for (const std::size_t end = atoms.size(); shell < end; ++shell)
     for (const AtomIndex n : neighbours_of(atoms[shell]))
-      if (n != no_atom && take(n)) atoms.push_back(n);
+      if (take(n)) atoms.push_back(n);
 }
 
-}  // namespace nanocarbon::annealing
+}  // namespace nanocarbon::topology
