@@ -294,6 +294,24 @@ TEST(SewInCell, TakesANoisyGyroidAtAnyPhase) {
     }
 }
 
+// Within rounding of a node in a face of the cell there are slivers, cut differently at the two sides.
+TEST(SewInCell, TakesASurfaceThatAllButTouchesANodeInAFace) {
+  const Cell cell = orthogonal_cell({1, 1, 1}, {true, true, true});
+  const auto gyroid = [](const Vec3& p) {
+    const Vec3 q = 2 * M_PI * (p + Vec3(0.031, 0.047, 0.083));
+    return std::sin(q.x()) * std::cos(q.y()) + std::sin(q.y()) * std::cos(q.z()) +
+           std::sin(q.z()) * std::cos(q.x());
+  };
+  for (const double off : {1e-9, 1e-6, 1e-5, 1e-4})
+    for (const double side : {-1.0, 1.0}) {
+      const double level = gyroid({11 / 12.0, 8 / 12.0, 0}) + side * off;
+      const TriangleMesh mesh = polygonised([&](const Vec3& p) { return gyroid(p) - level; }, 12);
+      const MeshTopology topology = mesh_topology(sew_in_cell(mesh, cell).mesh);
+      EXPECT_TRUE(topology.closed()) << off << " " << side;
+      EXPECT_EQ(topology.euler_characteristic, -8) << off << " " << side;
+    }
+}
+
 // Cuts away what lies where a function is negative.
 template <typename Function>
 TriangleMesh without(const TriangleMesh& mesh, const Function& f) {

@@ -17,7 +17,7 @@
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/repair/match_images.h"
-#include "nanocarbon/mesh/repair/merge_close_boundary.h"
+#include "nanocarbon/mesh/repair/merge_close_vertices.h"
 #include "nanocarbon/mesh/repair/zip_seams.h"
 #include "nanocarbon/mesh/winding.h"
 
@@ -95,9 +95,14 @@ class Sewing {
   }
 
   void sew(bool merging, bool corners_first) {
-    if (merging) drop_specks_at_faces();
+    if (merging) {
+      drop_specks_at_faces();
+      // Vertices at nodes of the grid, but for rounding.
+      merge_close_vertices(mesh_, 4 * tolerance_, MergedEdges::all,
+                           [&](VertexIndex v) { return face_of(mesh_.points[v], 4 * tolerance_) >= 0; });
+    }
     match_vertices();
-    if (merging) merge_close_vertices();
+    if (merging) merge_along_seams();
     zip(corners_first);
     require_partners();
     identify();
@@ -291,12 +296,12 @@ class Sewing {
   }
 
   // Vertices without a counterpart that are so near each other along the boundary that their order says nothing.
-  void merge_close_vertices() {
+  void merge_along_seams() {
     std::vector<bool> lonely(mesh_.points.size(), false);
     for (const VertexIndex v : boundary_)
       lonely[v] = partner_[v].empty() && face_of(mesh_.points[v], same_line * mean_edge_) >= 0;
-    const std::size_t merged =
-        merge_close_boundary(mesh_, close_along * mean_edge_, [&](VertexIndex v) { return bool(lonely[v]); });
+    const std::size_t merged = merge_close_vertices(mesh_, close_along * mean_edge_, MergedEdges::boundary,
+                                                    [&](VertexIndex v) { return bool(lonely[v]); });
     if (merged == 0) return;
     note(fmt::format("merged vertices near each other along seams: {}", merged));
     match_vertices();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "nanocarbon/mesh/repair/merge_close_boundary.h"
+#include "nanocarbon/mesh/repair/merge_close_vertices.h"
 
 #include <algorithm>
 #include <iterator>
@@ -11,14 +11,17 @@ namespace nanocarbon::mesh {
 namespace {
 
 struct ShortEdge {
-  VertexIndex from, to;
+  VertexIndex keep, lose;
   double length;
+  std::size_t faces;
+  bool moves;  // whether the one that is kept goes to the middle
 };
 
 class Merging {
  public:
-  Merging(TriangleMesh& mesh, double shorter_than, const std::function<bool(VertexIndex)>& movable)
-      : mesh_(mesh), shorter_than_(shorter_than), movable_(movable) {}
+  Merging(TriangleMesh& mesh, double shorter_than, MergedEdges which,
+          const std::function<bool(VertexIndex)>& movable)
+      : mesh_(mesh), shorter_than_(shorter_than), which_(which), movable_(movable) {}
 
   std::size_t run() {
     std::size_t merged = 0;
@@ -33,15 +36,14 @@ class Merging {
     std::vector<bool> touched(mesh_.points.size(), false), dropped(mesh_.triangles.size(), false);
     std::size_t merged = 0;
     for (const ShortEdge& edge : short_edges()) {
-      const VertexIndex keep = movable_(edge.to) ? edge.from : edge.to,
-                        lose = keep == edge.from ? edge.to : edge.from;
+      const VertexIndex keep = edge.keep, lose = edge.lose;
       std::vector<VertexIndex> around = neighbours(keep);
       for (const VertexIndex v : neighbours(lose)) around.push_back(v);
       if (std::any_of(around.begin(), around.end(), [&](VertexIndex v) { return bool(touched[v]); }) ||
-          !may_merge(keep, lose))
+          !may_merge(edge))
         continue;
       for (const VertexIndex v : around) touched[v] = true;
-      if (movable_(keep)) mesh_.points[keep] = 0.5 * (mesh_.points[keep] + mesh_.points[lose]);
+      if (edge.moves) mesh_.points[keep] = 0.5 * (mesh_.points[keep] + mesh_.points[lose]);
       for (const FaceIndex f : faces_at_[lose]) {
         Triangle& t = mesh_.triangles[f];
         dropped[f] = std::find(t.begin(), t.end(), keep) != t.end();
@@ -63,11 +65,20 @@ class Merging {
   std::vector<ShortEdge> short_edges() const {
     std::vector<ShortEdge> found;
     const EdgeTable edges = edge_table(soup_of(mesh_));
+    std::vector<bool> at_boundary(mesh_.points.size(), false);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (edges.uses_of(e).size() == 1) at_boundary[edges.low[e]] = at_boundary[edges.high[e]] = true;
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      const VertexIndex from = edges.low[e], to = edges.high[e];
-      if (edges.uses_of(e).size() != 1 || (!movable_(from) && !movable_(to))) continue;
-      const double length = (mesh_.points[to] - mesh_.points[from]).norm();
-      if (length < shorter_than_) found.push_back({from, to, length});
+      VertexIndex keep = edges.low[e], lose = edges.high[e];
+      const std::size_t faces = edges.uses_of(e).size();
+      const double length = (mesh_.points[lose] - mesh_.points[keep]).norm();
+      if (faces > 2 || !(length < shorter_than_)) continue;
+      if (faces == 2 && (which_ == MergedEdges::boundary || (at_boundary[keep] && at_boundary[lose])))
+        continue;
+      // The boundary keeps its line, and what may not move its place.
+      const auto fixed = [&](VertexIndex v) { return !movable_(v) || (faces == 2 && at_boundary[v]); };
+      if (fixed(lose)) std::swap(keep, lose);
+      if (!fixed(lose)) found.push_back({keep, lose, length, faces, !fixed(keep)});
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const ShortEdge& a, const ShortEdge& b) { return a.length < b.length; });
@@ -84,26 +95,28 @@ class Merging {
     return all;
   }
 
-  // Where the ends have only their triangle's third corner in common, and there are other triangles.
-  bool may_merge(VertexIndex one, VertexIndex other) const {
-    const std::vector<VertexIndex> of_one = neighbours(one), of_other = neighbours(other);
+  // Where the ends have only the third corners of their triangles in common, and there are other triangles.
+  bool may_merge(const ShortEdge& edge) const {
+    const std::vector<VertexIndex> of_one = neighbours(edge.keep), of_other = neighbours(edge.lose);
     std::vector<VertexIndex> common;
     std::set_intersection(of_one.begin(), of_one.end(), of_other.begin(), of_other.end(),
                           std::back_inserter(common));
-    return common.size() == 3 && faces_at_[one].size() + faces_at_[other].size() > 2;
+    return common.size() == 2 + edge.faces &&
+           faces_at_[edge.keep].size() + faces_at_[edge.lose].size() > 2 * edge.faces;
   }
 
   TriangleMesh& mesh_;
   const double shorter_than_;
+  const MergedEdges which_;
   const std::function<bool(VertexIndex)>& movable_;
   std::vector<std::vector<FaceIndex>> faces_at_;
 };
 
 }  // namespace
 
-std::size_t merge_close_boundary(TriangleMesh& mesh, double shorter_than,
+std::size_t merge_close_vertices(TriangleMesh& mesh, double shorter_than, MergedEdges which,
                                  const std::function<bool(VertexIndex)>& movable) {
-  return Merging(mesh, shorter_than, movable).run();
+  return Merging(mesh, shorter_than, which, movable).run();
 }
 
 }  // namespace nanocarbon::mesh
