@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "nanocarbon/core/error.h"
+#include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
+#include "nanocarbon/mesh/winding.h"
 #include "nanocarbon/shapes/periodic_shapes.h"
 
 namespace nanocarbon::mesh {
@@ -74,45 +76,49 @@ TEST(SewInCell, CutsSeamsWhereVerticesDoNotMeet) {
   EXPECT_FALSE(sewn.notes.empty());
 }
 
+// A sheet whose corners are cut into a small triangle, all four times: `small` of the edges' length.
+TriangleMesh sheet_with_slivers(double small) {
+  TriangleMesh mesh = sheet(12, 12);
+  const auto at = [](VertexIndex i, VertexIndex j) { return j * 13 + i; };
+  const double length = small / 12;
+  std::map<VertexIndex, std::array<VertexIndex, 2>> beside;  // corners: new vertices along x and along y
+  for (const VertexIndex i : {0u, 12u})
+    for (const VertexIndex j : {0u, 12u}) {
+      const Vec3 corner = mesh.points[at(i, j)];
+      const Vec3 x(i == 0 ? length : -length, 0, 0), y(0, j == 0 ? length : -length, 0);
+      const auto first = static_cast<VertexIndex>(mesh.points.size());
+      mesh.points.push_back(corner + x);
+      mesh.points.push_back(corner + y);
+      beside[at(i, j)] = {first, first + 1};
+    }
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : mesh.triangles) {
+    std::vector<VertexIndex> polygon;
+    for (std::size_t k = 0; k < 3; ++k) {
+      polygon.push_back(t[k]);
+      const VertexIndex next = t[(k + 1) % 3];
+      const bool along_x = mesh.points[t[k]].y() == mesh.points[next].y(),
+                 along_y = mesh.points[t[k]].x() == mesh.points[next].x();
+      for (const VertexIndex corner : {t[k], next})
+        if (const auto found = beside.find(corner); found != beside.end() && (along_x || along_y))
+          polygon.push_back(found->second[along_x ? 0 : 1]);
+    }
+    // A fan around a vertex that is no corner keeps the new vertices on the sides.
+    std::size_t apex = 0;
+    while (beside.count(polygon[apex]) > 0) ++apex;
+    std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(apex), polygon.end());
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+      triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
+  }
+  mesh.triangles = triangles;
+  return mesh;
+}
+
 // Grids leave slivers where the surface nearly goes through a node: here at an edge of the cell, with vertices that are
 // as near to images of each other as vertices that are meant to be the same may be.
 TEST(SewInCell, TakesSliversAtTheEdgesOfTheCell) {
   for (const double small : {1e-3, 1e-2, 6e-2}) {
-    TriangleMesh mesh = sheet(12, 12);
-    // The corner of the sheet is cut into a small triangle, all four times.
-    const auto at = [](VertexIndex i, VertexIndex j) { return j * 13 + i; };
-    const double length = small / 12;
-    std::map<VertexIndex, std::array<VertexIndex, 2>> beside;  // corners: new vertices along x and along y
-    for (const VertexIndex i : {0u, 12u})
-      for (const VertexIndex j : {0u, 12u}) {
-        const Vec3 corner = mesh.points[at(i, j)];
-        const Vec3 x(i == 0 ? length : -length, 0, 0), y(0, j == 0 ? length : -length, 0);
-        const auto first = static_cast<VertexIndex>(mesh.points.size());
-        mesh.points.push_back(corner + x);
-        mesh.points.push_back(corner + y);
-        beside[at(i, j)] = {first, first + 1};
-      }
-    std::vector<Triangle> triangles;
-    for (const Triangle& t : mesh.triangles) {
-      std::vector<VertexIndex> polygon;
-      for (std::size_t k = 0; k < 3; ++k) {
-        polygon.push_back(t[k]);
-        const VertexIndex next = t[(k + 1) % 3];
-        const bool along_x = mesh.points[t[k]].y() == mesh.points[next].y(),
-                   along_y = mesh.points[t[k]].x() == mesh.points[next].x();
-        for (const VertexIndex corner : {t[k], next})
-          if (const auto found = beside.find(corner); found != beside.end() && (along_x || along_y))
-            polygon.push_back(found->second[along_x ? 0 : 1]);
-      }
-      // A fan around a vertex that is no corner keeps the new vertices on the sides.
-      std::size_t apex = 0;
-      while (beside.count(polygon[apex]) > 0) ++apex;
-      std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(apex), polygon.end());
-      for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-        triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
-    }
-    mesh.triangles = triangles;
-    const SewnSurface sewn = sew_in_cell(mesh, unit_cell);
+    const SewnSurface sewn = sew_in_cell(sheet_with_slivers(small), unit_cell);
     EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << small;
     EXPECT_TRUE(mesh_topology(sewn.mesh).manifold()) << small;
     EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, 0) << small;
@@ -202,6 +208,164 @@ TEST(SewInCell, TakesNoiseAtTheFacesOfTheCell) {
     }
 }
 
+// Noise turns slivers over and puts their vertices in any order.
+TEST(SewInCell, TakesNoiseAtSlivers) {
+  for (const double small : {1e-3, 1e-2, 6e-2, 0.2})
+    for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+      TriangleMesh mesh = sheet_with_slivers(small);
+      std::mt19937 random(seed);
+      std::normal_distribution<double> by(0, 0.05 / 12);
+      for (Vec3& p : mesh.points) p += Vec3(by(random), by(random), by(random));
+      const SewnSurface sewn = sew_in_cell(mesh, unit_cell);
+      EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << small << " " << seed;
+      EXPECT_TRUE(mesh_topology(sewn.mesh).manifold()) << small << " " << seed;
+      EXPECT_EQ(mesh_topology(sewn.mesh).euler_characteristic, 0) << small << " " << seed;
+    }
+}
+
+// The triangles that polygonising a function on a grid over the unit cube gives, each cube as six tetrahedra. Vertices at
+// nodes of the grid are as many as there are edges there, and what is between them has no area.
+template <typename Function>
+TriangleMesh polygonised(const Function& f, int n) {
+  TriangleMesh mesh;
+  std::map<std::pair<std::array<int, 3>, std::array<int, 3>>, VertexIndex> known;
+  using Node = std::array<int, 3>;
+  const auto at = [&](const Node& k) -> Vec3 { return Vec3(k[0], k[1], k[2]) / n; };
+  const auto value = [&](const Node& k) { return f(at(k)); };
+  const auto vertex = [&](Node a, Node b) {
+    if (b < a) std::swap(a, b);
+    const auto [entry, added] = known.try_emplace({a, b}, static_cast<VertexIndex>(mesh.points.size()));
+    if (added) mesh.points.push_back(at(a) + value(a) / (value(a) - value(b)) * (at(b) - at(a)));
+    return entry->second;
+  };
+  for (int cube = 0; cube < n * n * n; ++cube) {
+    std::array<std::size_t, 3> order = {0, 1, 2};
+    do {
+      Node node = {cube % n, cube / n % n, cube / n / n};
+      std::vector<Node> in, out;
+      for (std::size_t k = 0; k < 4; ++k) {
+        (value(node) < 0 ? in : out).push_back(node);
+        if (k < 3) ++node[order[k]];
+      }
+      if (in.empty() || out.empty()) continue;
+      std::vector<Triangle> triangles;
+      if (in.size() == 2) {
+        const VertexIndex a = vertex(in[0], out[0]), b = vertex(in[0], out[1]), c = vertex(in[1], out[1]),
+                          d = vertex(in[1], out[0]);
+        triangles = {{a, b, c}, {a, c, d}};
+      } else {
+        const bool one_in = in.size() == 1;
+        const Node apex = one_in ? in[0] : out[0];
+        const std::vector<Node>& base = one_in ? out : in;
+        triangles = {{vertex(apex, base[0]), vertex(apex, base[1]), vertex(apex, base[2])}};
+      }
+      for (Triangle t : triangles) {
+        const Vec3 normal =
+            (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
+        if (normal.dot(at(out[0]) - at(in[0])) < 0) std::swap(t[1], t[2]);
+        mesh.triangles.push_back(t);
+      }
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+  const EdgeTable edges = edge_table(soup_of(mesh));  // some triangles have no normal
+  wind_alike(mesh, mesh_topology(soup_of(mesh), edges), edges);
+  return mesh;
+}
+
+// At some phases the gyroid goes through corners of its cell, where the grid has a node.
+TEST(SewInCell, TakesANoisyGyroidAtAnyPhase) {
+  const Cell cell = orthogonal_cell({1, 1, 1}, {true, true, true});
+  for (const double phase : {0.013, 0.1, 0.25})
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      TriangleMesh mesh = polygonised(
+          [&](const Vec3& p) {
+            const Vec3 q = 2 * M_PI * (p + Vec3::Constant(phase));
+            return std::sin(q.x()) * std::cos(q.y()) + std::sin(q.y()) * std::cos(q.z()) +
+                   std::sin(q.z()) * std::cos(q.x());
+          },
+          12);
+      std::mt19937 random(seed);
+      std::normal_distribution<double> by(0, 0.05 * edge_lengths(mesh).mean);
+      for (Vec3& p : mesh.points) p += Vec3(by(random), by(random), by(random));
+      const MeshTopology topology = mesh_topology(sew_in_cell(mesh, cell).mesh);
+      EXPECT_TRUE(topology.closed()) << phase << " " << seed;
+      EXPECT_EQ(topology.euler_characteristic, -8) << phase << " " << seed;
+      EXPECT_EQ(topology.components, 1u) << phase << " " << seed;
+    }
+}
+
+// Within rounding of a node in a face of the cell there are slivers, cut differently at the two sides.
+TEST(SewInCell, TakesASurfaceThatAllButTouchesANodeInAFace) {
+  const Cell cell = orthogonal_cell({1, 1, 1}, {true, true, true});
+  const auto gyroid = [](const Vec3& p) {
+    const Vec3 q = 2 * M_PI * (p + Vec3(0.031, 0.047, 0.083));
+    return std::sin(q.x()) * std::cos(q.y()) + std::sin(q.y()) * std::cos(q.z()) +
+           std::sin(q.z()) * std::cos(q.x());
+  };
+  for (const double off : {1e-9, 1e-6, 1e-5, 1e-4})
+    for (const double side : {-1.0, 1.0}) {
+      const double level = gyroid({11 / 12.0, 8 / 12.0, 0}) + side * off;
+      const TriangleMesh mesh = polygonised([&](const Vec3& p) { return gyroid(p) - level; }, 12);
+      const MeshTopology topology = mesh_topology(sew_in_cell(mesh, cell).mesh);
+      EXPECT_TRUE(topology.closed()) << off << " " << side;
+      EXPECT_EQ(topology.euler_characteristic, -8) << off << " " << side;
+    }
+}
+
+// Cuts away what lies where a function is negative.
+template <typename Function>
+TriangleMesh without(const TriangleMesh& mesh, const Function& f) {
+  TriangleMesh left{mesh.points, {}};
+  std::map<std::pair<VertexIndex, VertexIndex>, VertexIndex> known;
+  const auto negative = [&](VertexIndex v) { return f(mesh.points[v]) < -1e-9; };
+  for (const Triangle& t : mesh.triangles) {
+    std::vector<VertexIndex> polygon;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexIndex a = t[k], b = t[(k + 1) % 3], low = std::min(a, b), high = std::max(a, b);
+      if (!negative(a)) polygon.push_back(a);
+      const double at_low = f(mesh.points[low]), at_high = f(mesh.points[high]);
+      if (negative(a) == negative(b) || std::max(at_low, at_high) < 1e-9) continue;
+      const auto [cut, added] = known.try_emplace({low, high}, static_cast<VertexIndex>(left.points.size()));
+      if (added)
+        left.points.push_back(mesh.points[low] +
+                              at_low / (at_low - at_high) * (mesh.points[high] - mesh.points[low]));
+      polygon.push_back(cut->second);
+    }
+    for (std::size_t k = 2; k < polygon.size(); ++k)
+      left.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+  }
+  return left;
+}
+
+// Holes may lie across faces and edges of the cell: a sheet with bevelled corners has one.
+TEST(SewInCell, KeepsHolesThatReachTheFacesOfTheCell) {
+  const auto beside = [](double x) { return x - std::round(x); };
+  for (const double size : {0.03, 0.05, 0.1, 0.15, 0.2, 0.3}) {
+    const TriangleMesh bevelled = without(sheet(12, 12), [&](const Vec3& p) {
+      return std::abs(beside(p.x())) + std::abs(beside(p.y())) - size;
+    });
+    const MeshTopology topology = mesh_topology(sew_in_cell(bevelled, unit_cell).mesh);
+    EXPECT_EQ(topology.boundary_loops, 1u) << size;
+    EXPECT_EQ(topology.euler_characteristic, -1) << size;
+  }
+  for (const double at : {0.0, 0.05, 0.1, 0.24, 0.5}) {
+    const TriangleMesh holed = without(sheet(12, 12), [&](const Vec3& p) {
+      return std::hypot(beside(p.x() - at), beside(p.y() - 0.55)) - 0.22;
+    });
+    const MeshTopology topology = mesh_topology(sew_in_cell(holed, unit_cell).mesh);
+    EXPECT_EQ(topology.boundary_loops, 1u) << at;
+    EXPECT_EQ(topology.euler_characteristic, -1) << at;
+  }
+}
+
+// But a part of a face's line without its counterpart is a part that is missing.
+TEST(SewInCell, RefusesASheetWithOneCornerCutAway) {
+  for (const double size : {0.15, 0.2, 0.3}) {
+    const TriangleMesh torn = without(sheet(12, 12), [&](const Vec3& p) { return p.x() + p.y() - size; });
+    EXPECT_THROW(sew_in_cell(torn, unit_cell), UserError) << size;
+  }
+}
+
 // Triangles between two rows of points, each in order.
 void fill(TriangleMesh& mesh, const std::vector<VertexIndex>& low, const std::vector<VertexIndex>& high) {
   for (std::size_t i = 0, j = 0; i + 1 < low.size() || j + 1 < high.size();) {
@@ -272,6 +436,35 @@ TEST(SewInCell, DropsWhatIsThereTwice) {
     // Not where it is something else.
     for (Vec3& p : mesh.points) p.z() += 0.02 * p.x();
     EXPECT_THROW(sew_in_cell(mesh, unit_cell), UserError) << columns;
+  }
+}
+
+// Whichever side of the cell it is on, and wherever the mesh was cut: a file says where its cell begins.
+TEST(SewInCell, DropsCopiesOnEitherSideOfTheCell) {
+  struct Range {
+    int first, last;  // columns, twelfths of the cell
+  };
+  for (const Range range :
+       {Range{-1, 12}, {-12, 12}, {-1, 13}, {-6, 6}, {-6, 7}, {-7, 6}, {-15, 4}, {18, 31}}) {
+    TriangleMesh mesh;
+    const int columns = range.last - range.first;
+    for (int j = 0; j <= 12; ++j)
+      for (int i = range.first; i <= range.last; ++i)
+        mesh.points.push_back({i / 12.0, j / 12.0, 0.05 * std::sin(2 * M_PI * i / 12.0)});
+    for (int j = 0; j < 12; ++j)
+      for (int i = 0; i < columns; ++i) {
+        const auto at = [&](int a, int b) { return static_cast<VertexIndex>(b * (columns + 1) + a); };
+        mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+    const SewnSurface sewn = sew_in_cell(mesh, unit_cell);
+    EXPECT_EQ(sewn.mesh.points.size(), 144u) << range.first;
+    EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << range.first;
+    EXPECT_EQ(sewn.mesh.space.cell()->origin, unit_cell.origin) << range.first;
+    // Not where it is something else, if it was cut where the cell ends.
+    if (range.first % 12 != 0 && range.last % 12 != 0) continue;
+    for (Vec3& p : mesh.points) p.z() += 0.02 * p.x();
+    EXPECT_THROW(sew_in_cell(mesh, unit_cell), UserError) << range.first;
   }
 }
 

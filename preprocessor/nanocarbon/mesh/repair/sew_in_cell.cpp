@@ -17,6 +17,7 @@
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/repair/match_images.h"
+#include "nanocarbon/mesh/repair/merge_close_vertices.h"
 #include "nanocarbon/mesh/repair/zip_seams.h"
 #include "nanocarbon/mesh/winding.h"
 
@@ -25,6 +26,12 @@ namespace {
 
 // In mean edges: boundaries this near to the image of another, in the root mean square, are the same line.
 constexpr double same_line = 0.25;
+// In mean edges: vertices without a counterpart that are this near each other along a seam are merged.
+constexpr double close_along = 0.25;
+// In mean edges: pieces at faces of the cell that reach no farther than this from one of their vertices are no pieces.
+constexpr double speck = 0.5;
+// Rise for length: edges that are steeper against a face of the cell do not lie in it.
+constexpr double steepest = 0.5;
 // In least widths.
 constexpr double longest_edge = 0.25;
 // Triangles that a mesh is split into at most, and as many more for each that it has: a file of a few lines can ask for
@@ -53,25 +60,56 @@ std::vector<BoundaryEdge> boundary_edges(const TriangleMesh& mesh) {
 class Sewing {
  public:
   Sewing(const TriangleMesh& mesh, const Cell& cell, double match)
-      : mesh_(mesh), space_(cell), to_fractional_(cell.vectors.inverse()) {
+      : mesh_(mesh), cell_(cell), space_(cell), to_fractional_(cell.vectors.inverse()) {
     mean_edge_ = edge_lengths(mesh).mean;
     tolerance_ = match * mean_edge_;
   }
 
   SewnSurface run() {
-    drop_copies();
+    place_cell();
     drop_caps();
     split_long_edges();
-    match_vertices();
-    zip();
-    require_partners();
-    identify();
-    check();
-    return std::move(result_);
+    return first_that_works();
   }
 
  private:
-  const Cell& cell() const { return *space_.cell(); }
+  // Noise, and vertices near edges and corners of the cell, leave it open what is meant to be the same: another reading where
+  // the plain one comes to nothing, of which the first failure is told.
+  SewnSurface first_that_works() {
+    const TriangleMesh cut = mesh_;
+    const std::size_t notes = result_.notes.size();
+    std::optional<UserError> failure;
+    for (const bool merging : {false, true})
+      for (const bool corners_first : {false, true}) {
+        mesh_ = cut;
+        result_.mesh = {};
+        result_.notes.resize(notes);
+        try {
+          sew(merging, corners_first);
+          return std::move(result_);
+        } catch (const UserError& error) {
+          if (!failure) failure = error;
+        }
+      }
+    throw UserError(*failure);
+  }
+
+  void sew(bool merging, bool corners_first) {
+    if (merging) {
+      drop_specks_at_faces();
+      // Vertices at nodes of the grid, but for rounding.
+      merge_close_vertices(mesh_, 4 * tolerance_, MergedEdges::all,
+                           [&](VertexIndex v) { return face_of(mesh_.points[v], 4 * tolerance_) >= 0; });
+    }
+    match_vertices();
+    if (merging) merge_along_seams();
+    zip(corners_first);
+    require_partners();
+    identify();
+    check();
+  }
+
+  const Cell& cell() const { return cell_; }
   bool periodic(int d) const { return cell().periodic[static_cast<std::size_t>(d)]; }
   Vec3 fractional(const Vec3& p) const { return to_fractional_ * (p - cell().origin); }
   std::string place(const Vec3& p) const {
@@ -90,40 +128,71 @@ class Sewing {
     return std::abs(fractional(p)[face / 2] - face % 2) * face_distances(cell())[face / 2] < within;
   }
 
-  // What lies beyond the cell and is there a second time: grids padded to be periodic, files of several cells.
-  void drop_copies() {
+  // A cell that the mesh was cut at elsewhere is moved there, for the time of sewing: any cell of the lattice will do. What is
+  // there a second time is dropped: grids padded on either side, files of several cells.
+  void place_cell() {
     const Vec3 heights = face_distances(cell());
-    std::vector<bool> beyond(mesh_.triangles.size(), false), concerned(mesh_.points.size(), false);
+    std::size_t copies = 0;
+    for (int d = 0; d < 3; ++d) {
+      if (!periodic(d)) continue;
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+      for (const Triangle& t : mesh_.triangles)
+        for (const VertexIndex v : t) {
+          const double at = fractional(mesh_.points[v])[d];
+          lowest = std::min(lowest, at);
+          highest = std::max(highest, at);
+        }
+      if (lowest * heights[d] > -tolerance_ && (highest - 1) * heights[d] < tolerance_) continue;
+      const double near = same_line * mean_edge_ / heights[d], middle = 0.5 * (lowest + highest - 1);
+      if (std::abs(highest - lowest - 1) < near) {
+        if (std::abs(middle) > near) move_cell(d, middle);
+        continue;
+      }
+      for (const double from : {0.0, lowest, highest - 1}) {
+        const std::size_t dropped = drop_copies(d, from);
+        if (dropped == 0) continue;
+        move_cell(d, from);
+        copies += dropped;
+        break;
+      }
+    }
+    if (copies > 0) note(fmt::format("dropped faces beyond the cell that are images of others: {}", copies));
+  }
+
+  void move_cell(int d, double by) { cell_.origin += by * cell_.vectors.col(d); }
+
+  // Faces outside the cell if it began there along an edge of its; none, if one of them is no image of a face inside.
+  std::size_t drop_copies(int d, double from) {
+    const double height = face_distances(cell())[d];
+    std::vector<bool> beyond(mesh_.triangles.size(), false);
+    std::vector<Vec3> centres;
     std::size_t copies = 0;
     for (std::size_t t = 0; t < beyond.size(); ++t) {
-      const auto lies_beyond = [&](int d) {
-        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-        for (const VertexIndex v : mesh_.triangles[t]) {
-          const double height = (fractional(mesh_.points[v])[d] - 1) * heights[d];
-          lowest = std::min(lowest, height);
-          highest = std::max(highest, height);
-        }
-        return lowest > -tolerance_ && highest > tolerance_;
-      };
-      for (int d = 0; d < 3; ++d) beyond[t] = beyond[t] || (periodic(d) && lies_beyond(d));
-      if (!beyond[t]) continue;
-      ++copies;
-      for (const VertexIndex v : mesh_.triangles[t]) concerned[v] = true;
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+      Vec3 centre = Vec3::Zero();
+      for (const VertexIndex v : mesh_.triangles[t]) {
+        const double at = (fractional(mesh_.points[v])[d] - from) * height;
+        lowest = std::min(lowest, at);
+        highest = std::max(highest, at);
+        centre += mesh_.points[v] / 3;
+      }
+      const bool above = lowest > height - tolerance_ && highest > height + tolerance_,
+                 below = highest < tolerance_ && lowest < -tolerance_;
+      beyond[t] = above || below;
+      copies += beyond[t];
+      centres.push_back(centre);
     }
-    if (copies == 0) return;
-    std::vector<bool> kept(mesh_.points.size(), false);
-    for (std::size_t t = 0; t < beyond.size(); ++t)
-      if (!beyond[t])
-        for (const VertexIndex v : mesh_.triangles[t]) kept[v] = true;
-    const NeighbourList same = neighbours_within(mesh_.points, &cell(), tolerance_);
-    for (VertexIndex v = 0; v < concerned.size(); ++v)
-      if (concerned[v] && !kept[v] &&
-          std::none_of(same.of(v).begin(), same.of(v).end(),
-                       [&](const Neighbour& n) { return kept[n.atom]; }))
-        return;
+    if (copies == 0) return 0;
+    const NeighbourList same = neighbours_within(centres, &cell(), tolerance_);
+    for (std::size_t t = 0; t < beyond.size(); ++t) {
+      const auto images = same.of(t);
+      if (beyond[t] &&
+          std::all_of(images.begin(), images.end(), [&](const Neighbour& n) { return bool(beyond[n.atom]); }))
+        return 0;
+    }
     std::size_t next = 0;
     std::erase_if(mesh_.triangles, [&](const Triangle&) { return beyond[next++]; });
-    note(fmt::format("dropped faces beyond the cell that are images of others: {}", copies));
+    return copies;
   }
 
   void drop_caps() {
@@ -206,9 +275,41 @@ class Sewing {
     partner_ = match_images(mesh_, cell(), boundary_, tolerance_);
   }
 
+  // Pieces smaller than an edge where the surface goes through an edge or a corner of the cell: what a grid's node left there
+  // of the surface beyond.
+  void drop_specks_at_faces() {
+    const double size = speck * mean_edge_;
+    DisjointSets pieces(mesh_.points.size());
+    for (const Triangle& t : mesh_.triangles) {
+      pieces.join(t[0], t[1]);
+      pieces.join(t[0], t[2]);
+    }
+    std::vector<bool> large(mesh_.points.size(), false);
+    for (VertexIndex v = 0; v < mesh_.points.size(); ++v) {
+      const std::size_t first = pieces.find(v);
+      if ((mesh_.points[v] - mesh_.points[first]).norm() > size || face_of(mesh_.points[v], size) < 0)
+        large[first] = true;
+    }
+    const std::size_t dropped =
+        std::erase_if(mesh_.triangles, [&](const Triangle& t) { return !large[pieces.find(t[0])]; });
+    if (dropped > 0) note(fmt::format("dropped faces of specks at faces of the cell: {}", dropped));
+  }
+
+  // Vertices without a counterpart that are so near each other along the boundary that their order says nothing.
+  void merge_along_seams() {
+    std::vector<bool> lonely(mesh_.points.size(), false);
+    for (const VertexIndex v : boundary_)
+      lonely[v] = partner_[v].empty() && face_of(mesh_.points[v], same_line * mean_edge_) >= 0;
+    const std::size_t merged = merge_close_vertices(mesh_, close_along * mean_edge_, MergedEdges::boundary,
+                                                    [&](VertexIndex v) { return bool(lonely[v]); });
+    if (merged == 0) return;
+    note(fmt::format("merged vertices near each other along seams: {}", merged));
+    match_vertices();
+  }
+
   // Boundaries that lie along images of others, but have other vertices.
-  void zip() {
-    const ZippedSeams zipped = zip_seams(mesh_, partner_, cell(), same_line * mean_edge_);
+  void zip(bool corners_first) {
+    const ZippedSeams zipped = zip_seams(mesh_, partner_, cell(), same_line * mean_edge_, corners_first);
     if (zipped.joined > 0)
       note(fmt::format("joined boundary vertices that lie up to {:.2g} mean edges from images of others: {}",
                        zipped.farthest / mean_edge_, zipped.joined));
@@ -217,18 +318,57 @@ class Sewing {
                        zipped.added));
   }
 
-  void require_partners() const {
-    std::size_t missing = 0, in_faces = 0;
-    std::optional<VertexIndex> first;
-    for (const VertexIndex v : boundary_) {
-      if (face_of(mesh_.points[v], same_line * mean_edge_) < 0) continue;
-      ++in_faces;
-      if (!partner_[v].empty()) continue;
-      ++missing;
-      if (!first) first = v;
+  // A boundary edge that the cell's face cut: along that face, near it, with the surface on the inner side. So is no edge of
+  // a hole that reaches the face, or nearly so. As face_of().
+  int cut_by(const BoundaryEdge& edge) const {
+    const Vec3 from = fractional(mesh_.points[edge.from]), to = fractional(mesh_.points[edge.to]),
+               apex = fractional(mesh_.points[mesh_.triangles[edge.face][(edge.side + 2) % 3]]),
+               heights = face_distances(cell());
+    const double length = (mesh_.points[edge.to] - mesh_.points[edge.from]).norm();
+    const double near = same_line * mean_edge_;
+    for (int face = 0; face < 6; ++face) {
+      const int d = face / 2, upper = face % 2;
+      if (!periodic(d)) continue;
+      const auto inside = [&](const Vec3& p) { return (upper ? 1 - p[d] : p[d]) * heights[d]; };
+      const double a = inside(from), b = inside(to);
+      if (std::abs(a) < near && std::abs(b) < near && std::abs(a - b) <= steepest * length &&
+          inside(apex) > 0.5 * (a + b) - 0.2 * near)
+        return face;
     }
+    return -1;
+  }
+
+  void require_partners() const {
+    // Lines along one face, with what has no counterpart in them: parts shorter than an edge are rounded corners of holes.
+    std::vector<DisjointSets> lines(6, DisjointSets(mesh_.points.size()));
+    std::vector<std::pair<BoundaryEdge, int>> cut;
+    std::vector<bool> in_face(mesh_.points.size(), false), lonely(mesh_.points.size(), false);
+    for (const BoundaryEdge& edge : boundary_edges(mesh_)) {
+      const int face = cut_by(edge);
+      if (face < 0) continue;
+      in_face[edge.from] = in_face[edge.to] = true;
+      if (!partner_[edge.from].empty() && !partner_[edge.to].empty()) continue;
+      cut.emplace_back(edge, face);
+      // Others are where a line ends.
+      if (partner_[edge.from].empty() && partner_[edge.to].empty())
+        lines[static_cast<std::size_t>(face)].join(edge.from, edge.to);
+    }
+    std::map<std::pair<int, std::uint32_t>, double> lengths;
+    const auto line_of = [&](const std::pair<BoundaryEdge, int>& c) {
+      const VertexIndex v = partner_[c.first.from].empty() ? c.first.from : c.first.to;
+      return std::pair(c.second, lines[static_cast<std::size_t>(c.second)].find(v));
+    };
+    for (const auto& c : cut)
+      lengths[line_of(c)] += (mesh_.points[c.first.to] - mesh_.points[c.first.from]).norm();
+    for (const auto& c : cut)
+      if (lengths[line_of(c)] > mean_edge_)
+        for (const VertexIndex v : {c.first.from, c.first.to}) lonely[v] = partner_[v].empty();
+    const auto missing = std::count(lonely.begin(), lonely.end(), true),
+               in_faces = std::count(in_face.begin(), in_face.end(), true);
+    const auto first =
+        static_cast<VertexIndex>(std::find(lonely.begin(), lonely.end(), true) - lonely.begin());
     if (missing == 0) return;
-    const Vec3& p = mesh_.points[*first];
+    const Vec3& p = mesh_.points[first];
     double nearest = std::numeric_limits<double>::infinity();
     Vec3 where = p;
     for (const VertexIndex v : boundary_) {
@@ -325,7 +465,8 @@ class Sewing {
 
   static constexpr VertexIndex none = std::numeric_limits<VertexIndex>::max();
   TriangleMesh mesh_;
-  Space space_;
+  Cell cell_;    // where it is sewn
+  Space space_;  // where it was asked for
   Mat3 to_fractional_;
   double mean_edge_ = 0.0, tolerance_ = 0.0;
   std::vector<VertexIndex> boundary_;

@@ -17,8 +17,9 @@ struct SewnSurface {
 //! \brief A mesh that was cut at the faces of a periodic cell, made whole across them.
 //! \details Flat faces in both of two opposite cell faces, with which generators of solids close a mesh, are
 //! dropped. Boundary vertices that lie on images of others are joined with them. Where a boundary lies along the
-//! image of another, but has its vertices elsewhere, each gets the other's vertices first. Boundaries away from
-//! the cell's faces stay: holes. Edges longer than a quarter of the least width are split, so that nearest
+//! image of another, but has its vertices elsewhere, each gets the other's vertices first. What is beyond the cell as the image
+//! of something in it is dropped; the mesh may be cut elsewhere than where the cell begins. Boundaries that no face of the cell
+//! cut stay: holes. Edges longer than a quarter of the least width are split, so that nearest
 //! images tell what is connected.
 //! \param mesh in free space, mesh units: triangles with area, 2-manifold
 //! \param match boundary vertices this near to images of others are the same, in mean edges

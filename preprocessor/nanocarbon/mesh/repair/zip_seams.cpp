@@ -50,8 +50,8 @@ struct Alignment {
 
 class Zipping {
  public:
-  Zipping(TriangleMesh& mesh, Partners& partners, const Cell& cell, double same_line)
-      : mesh_(mesh), partners_(partners), cell_(cell), same_line_(same_line) {}
+  Zipping(TriangleMesh& mesh, Partners& partners, const Cell& cell, double same_line, bool corners_first)
+      : mesh_(mesh), partners_(partners), cell_(cell), same_line_(same_line), corners_first_(corners_first) {}
 
   ZippedSeams run() {
     list_boundary();
@@ -140,8 +140,8 @@ class Zipping {
       if (near[0] && near[1] && near[2] && all.size() > 2) at_corners.push_back(meeting(i, all));
     }
     std::vector<bool> used(mesh_.points.size(), false);
-    join(at_edges, used);
-    join(at_corners, used);
+    join(corners_first_ ? at_corners : at_edges, used);
+    join(corners_first_ ? at_edges : at_corners, used);
   }
   std::array<bool, 3> faces_near(const Vec3& p) const {
     const Vec3 at = cell_.vectors.inverse() * (p - cell_.origin), heights = face_distances(cell_);
@@ -182,7 +182,7 @@ class Zipping {
     }
   }
 
-  // A loop none of whose vertices has a partner gets one where it is nearest to an image of a boundary.
+  // A loop none of whose vertices has a partner gets one where it is nearest to an image of another such.
   void give_loops_a_partner() {
     std::vector<bool> seen(mesh_.points.size(), false);
     for (const VertexIndex start : boundary_) {
@@ -197,6 +197,7 @@ class Zipping {
                                                 boundary_.begin());
         for (const Neighbour& n : near_.of(i)) {
           if (n.image == here || n.atom == i || distance(i, n) >= least) continue;
+          if (!partners_[boundary_[n.atom]].empty()) continue;  // not so the rim of a hole beside a seam
           least = distance(i, n);
           closest = {v, boundary_[n.atom]};
         }
@@ -371,6 +372,7 @@ class Zipping {
   Partners& partners_;
   const Cell& cell_;
   const double same_line_;
+  const bool corners_first_;
   std::map<std::pair<VertexIndex, VertexIndex>, FaceIndex> face_of_;  // by boundary edge
   std::map<VertexIndex, std::vector<VertexIndex>> next_;              // along boundaries
   std::vector<VertexIndex> lonely_;
@@ -385,8 +387,9 @@ class Zipping {
 
 }  // namespace
 
-ZippedSeams zip_seams(TriangleMesh& mesh, Partners& partners, const Cell& cell, double same_line) {
-  return Zipping(mesh, partners, cell, same_line).run();
+ZippedSeams zip_seams(TriangleMesh& mesh, Partners& partners, const Cell& cell, double same_line,
+                      bool corners_first) {
+  return Zipping(mesh, partners, cell, same_line, corners_first).run();
 }
 
 }  // namespace nanocarbon::mesh

@@ -23,6 +23,9 @@ struct ZippedSeams {
 //! \param partners of each vertex, those on images of it; vertices that are added are behind the others
 //! \param same_line lines this near to each other are the same, in the root mean square, mesh units; where edges are longer than
 //! four times this, a quarter of these
-ZippedSeams zip_seams(TriangleMesh& mesh, Partners& partners, const Cell& cell, double same_line);
+//! \param corners_first vertices near a corner of the cell are looked for at corners, as where the surface goes through one,
+//! before they are at edges
+ZippedSeams zip_seams(TriangleMesh& mesh, Partners& partners, const Cell& cell, double same_line,
+                      bool corners_first = false);
 
 }  // namespace nanocarbon::mesh
