@@ -3,7 +3,7 @@
 # FetchContent) this one brings its library alone, installs nothing, and leaves the other's choices as they are.
 option(NANOCARBON_PREPROCESSOR "Build the program and all of its library; OFF: the LAMMPS plugin and what it needs alone" ON)
 option(NANOCARBON_PROGRAM "Build the program nanocarbon (needs CLI11)" ${PROJECT_IS_TOP_LEVEL})
-# NANOCARBON_CGAL (cmake/NanocarbonCgal.cmake): --wrap and --unite of the program, which is then under GPL-3.0-or-later
+# NANOCARBON_CGAL (cmake/NanocarbonCgal.cmake): --wrap, --unite and --untangle of the program, which is then under GPL-3.0-or-later
 option(NANOCARBON_PLUGIN "Build the LAMMPS plugin (needs LAMMPS headers or source, and MPI)" ${PROJECT_IS_TOP_LEVEL})
 option(NANOCARBON_PYTHON "Build the Python module nanocarbon_sp2, where pybind11 and Python's headers are" ${PROJECT_IS_TOP_LEVEL})
 option(NANOCARBON_INSTALL "Install what is built" ${PROJECT_IS_TOP_LEVEL})

@@ -65,7 +65,8 @@ void add_mesh_options(CLI::App& sub, BuildCommand& c) {
                   "Leave out pieces too small for a cage of carbon, such as specks in segmented scans");
   group->add_flag("--no-repair", c.no_repair, "Refuse a mesh that needs repairs, and say which they are")
       ->excludes(group->get_option("--wrap"))
-      ->excludes(group->get_option("--unite"));
+      ->excludes(group->get_option("--unite"))
+      ->excludes(group->get_option("--untangle"));
 }
 
 void add_output_options(CLI::App& sub, BuildCommand& c) {

@@ -45,7 +45,7 @@ struct Inspection {
   std::optional<TriangleMesh> in_cell = {};  // the mesh there, if it can be used
   std::vector<std::string> notes = {};
   std::string why_not = {};
-  std::optional<mesh::MeshAdvice> advice = {};  // where it cannot be used
+  std::optional<mesh::MeshAdvice> advice = {};  // where it cannot be used, or crosses itself
 
   bool usable() const { return surface.diagnosis.usable() && (!cell || in_cell); }
 };
@@ -205,7 +205,8 @@ void print_text(const std::string& file, const Inspection& inspection) {
   }
   if (inspection.cell) print_cell(inspection);
   if (inspection.advice)
-    line("can be used with", fmt::format("{}: {}", inspection.advice->options, inspection.advice->outcome));
+    line(inspection.usable() ? "mended with" : "can be used with",
+         fmt::format("{}: {}", inspection.advice->options, inspection.advice->outcome));
   if (inspection.usable()) line("usable", "yes: nanocarbon build accepts it");
 }
 
@@ -216,7 +217,9 @@ Inspection examine(const InspectCommand& command, const mesh::CellRequest& reque
   inspection.surface.vertices_read = input.vertices_read;
   inspection.surface.faces_read = input.faces_read;
   inspection.cell = inspection.surface.cell;
-  if (!inspection.cell && !inspection.usable()) inspection.advice = mesh::advise(input.soup);
+  const bool sound =
+      inspection.usable() && !inspection.surface.diagnosis.find(mesh::MeshProblem::self_intersection);
+  if (!inspection.cell && !sound) inspection.advice = mesh::advise(input.soup);
   return inspection;
 }
 

@@ -34,10 +34,10 @@ void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
 
 std::string version_text() {
   const std::string cgal = nanocarbon::mesh::cgal_version();
-  return fmt::format("nanocarbon {}\n{}", nanocarbon::version,
-                     cgal.empty()
-                         ? std::string("without CGAL: no --wrap and --unite; licence GPL-2.0-or-later")
-                         : fmt::format("with CGAL {}: licence GPL-3.0-or-later", cgal));
+  return fmt::format(
+      "nanocarbon {}\n{}", nanocarbon::version,
+      cgal.empty() ? std::string("without CGAL: no --wrap, --unite and --untangle; licence GPL-2.0-or-later")
+                   : fmt::format("with CGAL {}: licence GPL-3.0-or-later", cgal));
 }
 
 int run(int argc, char** argv) {

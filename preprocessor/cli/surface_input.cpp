@@ -10,9 +10,11 @@
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/text_numbers.h"
 #include "nanocarbon/mesh/formats/read_mesh.h"
+#include "nanocarbon/mesh/repair/repair_surface.h"
 #include "nanocarbon/mesh/solid/advice.h"
 #include "nanocarbon/mesh/solid/repair_solids.h"
 #include "nanocarbon/mesh/solid/unite.h"
+#include "nanocarbon/mesh/solid/untangle.h"
 #include "number_checks.h"
 
 namespace nanocarbon::cli {
@@ -38,24 +40,40 @@ mesh::WrapSize parsed_wrap_size(const std::string& text) {
   return {*size, *offset};
 }
 
-mesh::PolygonSoup solid_soup(const TriangleMesh& mesh, std::vector<std::string> notes,
-                             const std::string& done) {
+mesh::PolygonSoup solid_soup(const TriangleMesh& mesh, std::vector<std::string> notes) {
   mesh::PolygonSoup soup = mesh::soup_of(mesh);
   soup.notes = std::move(notes);
-  soup.notes.push_back(done);
   return soup;
 }
 
 mesh::PolygonSoup wrapped(const mesh::PolygonSoup& soup, const mesh::WrapSize& size) {
   const mesh::Wrapped wrapped = mesh::wrap(soup, size);
-  return solid_soup(wrapped.mesh, soup.notes, describe(wrapped, size));
+  std::vector<std::string> notes = soup.notes;
+  notes.push_back(describe(wrapped, size));
+  return solid_soup(wrapped.mesh, std::move(notes));
 }
 
-mesh::PolygonSoup united(mesh::PolygonSoup soup, double close_holes) {
-  mesh::RepairedSolids repaired = mesh::repair_solids(soup, close_holes);
+mesh::RepairedSolids repaired_as_one(const mesh::PolygonSoup& soup, double close_holes) {
+  mesh::RepairedSurface repaired = mesh::repair_surface(soup, close_holes);
+  const mesh::MeshTopology& topology = repaired.diagnosis.topology;
+  const bool manifold = topology.manifold() && topology.orientable && !repaired.mesh.triangles.empty();
+  return {std::move(repaired.mesh), std::move(repaired.repairs), manifold};
+}
+
+// Without crossings of pieces with themselves, or with each other, as asked.
+mesh::PolygonSoup without_crossings(mesh::PolygonSoup soup, const SurfaceOptions& options) {
+  mesh::RepairedSolids repaired = options.unite ? mesh::repair_solids(soup, options.close_holes)
+                                                : repaired_as_one(soup, options.close_holes);
   if (!repaired.manifold) return soup;  // the reasons are told when it is used
+  if (options.untangle) {
+    mesh::Untangled untangled = mesh::untangle(repaired.mesh);
+    repaired.repairs.push_back(describe(untangled));
+    repaired.mesh = std::move(untangled.mesh);
+  }
+  if (!options.unite) return solid_soup(repaired.mesh, std::move(repaired.repairs));
   const mesh::United united = mesh::unite(repaired.mesh);
-  return solid_soup(united.mesh, std::move(repaired.repairs), describe(united));
+  repaired.repairs.push_back(describe(united));
+  return solid_soup(united.mesh, std::move(repaired.repairs));
 }
 
 void add_field_options(CLI::App& group, mesh::FieldRequest& field) {
@@ -91,6 +109,10 @@ void add_surface_options(CLI::App& group, SurfaceOptions& o) {
                            ->check(above_zero());
   CLI::Option* unite = group.add_flag(
       "--unite", o.unite, "Make pieces that overlap one: each a closed solid (boolean union, by CGAL)");
+  CLI::Option* untangle = group.add_flag(
+      "--untangle", o.untangle,
+      "New triangles where a piece crosses itself in a few places; refused where that would take more than a "
+      "small part of it (by CGAL)");
   group
       .add_option_function<std::string>(
           "--wrap", [&o](const std::string& text) { o.wrap = parsed_wrap_size(text); },
@@ -99,6 +121,7 @@ void add_surface_options(CLI::App& group, SurfaceOptions& o) {
           "an offset outside of it, a 30th of the size if not given; mesh units (alpha wrap, by CGAL)")
       ->type_name("SIZE[,OFFSET]")
       ->excludes(unite)
+      ->excludes(untangle)
       ->excludes(holes);
 }
 
@@ -107,13 +130,14 @@ SurfaceInput read_surface(const std::filesystem::path& path, const SurfaceOption
   SurfaceInput input{mesh::read_mesh(path, mesh::field_in_cell(options.field, cell))};
   input.vertices_read = input.soup.points.size();
   input.faces_read = input.soup.faces();
-  if (!options.wrap && !options.unite) return input;
+  if (!options.wrap && !options.unite && !options.untangle) return input;
   try {
     if (requested_cell(cell, input.soup))
-      throw UserError(Failure::usage,
-                      "--wrap and --unite know free space only: --periodic none leaves the cell out");
-    input.soup = options.wrap ? wrapped(input.soup, *options.wrap)
-                              : united(std::move(input.soup), options.close_holes);
+      throw UserError(
+          Failure::usage,
+          "--wrap, --unite and --untangle know free space only: --periodic none leaves the cell out");
+    input.soup =
+        options.wrap ? wrapped(input.soup, *options.wrap) : without_crossings(std::move(input.soup), options);
   } catch (const UserError& error) {
     throw UserError(error.failure(), fmt::format("{}: {}", path.string(), error.what()));
   }

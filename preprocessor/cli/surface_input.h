@@ -16,11 +16,12 @@ namespace nanocarbon::cli {
 struct SurfaceOptions {
   std::optional<mesh::WrapSize> wrap;
   bool unite = false;
+  bool untangle = false;
   double close_holes = 0.0;  //!< mesh units
   mesh::FieldRequest field;  //!< where the file has a scalar field; periodic as the cell's options say
 };
 
-//! Adds --level, --field, --field-edge, --wrap, --unite and --close-holes. \p options must outlive the app.
+//! Adds --level, --field, --field-edge, --wrap, --unite, --untangle and --close-holes. \p options must outlive the app.
 void add_surface_options(CLI::App& group, SurfaceOptions& options);
 
 //! A mesh as read and, if so asked, made solid.
@@ -30,7 +31,7 @@ struct SurfaceInput {
 };
 
 //! \throw UserError (unreadable, malformed) as read_mesh(), (usage) for what is not for meshes in a cell,
-//! (unsuitable) naming the file where --wrap or --unite is not possible
+//! (unsuitable) naming the file where --wrap, --unite or --untangle is not possible
 SurfaceInput read_surface(const std::filesystem::path& path, const SurfaceOptions& options,
                           const mesh::CellRequest& cell);
 

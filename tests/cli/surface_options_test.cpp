@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// --wrap, --unite and --close-holes of `nanocarbon build` and `inspect`, as a user runs them.
+// --wrap, --unite, --untangle and --close-holes of `nanocarbon build` and `inspect`, as a user runs them.
 #include <gmock/gmock.h>
 
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
+#include "nanocarbon/mesh/formats/write_mesh.h"
+#include "nanocarbon/mesh/triangulate.h"
+#include "nanocarbon/shapes/shapes.h"
 #include "support/program_test.h"
+#include "support/small_meshes.h"
 
 namespace nanocarbon::cli {
 namespace {
@@ -78,6 +83,37 @@ TEST_F(SurfaceOptions, WhatInspectAdvisesIsTrue) {
   }
 }
 
+// A ball with two neighbouring vertices that changed places is built all the same, with a warning, and without one once
+// untangled.
+TEST_F(SurfaceOptions, APieceThatCrossesItselfIsUntangled) {
+  if (!has_cgal) GTEST_SKIP() << "built without CGAL";
+  TriangleMesh ball = shapes::make_sphere(1.0, 8);
+  std::swap(ball.points[ball.triangles[0][0]], ball.points[ball.triangles[0][1]]);
+  mesh::write_mesh(path("folded.off"), ball);
+  const auto json = nlohmann::json::parse(run("inspect --json " + path("folded.off")).out);
+  EXPECT_EQ(json["usable"], true);
+  EXPECT_EQ(json["warnings"][0]["problem"], "self_intersection");
+  ASSERT_TRUE(json.contains("advice"));
+  EXPECT_EQ(json["advice"]["options"], "--untangle");
+  EXPECT_THAT(run("inspect " + path("folded.off")).out, HasSubstr("mended with       --untangle"));
+  const std::string build = "build " + path("folded.off") + " --atoms 300 --quality draft -o " +
+                            path("out.data") + " --report " + path("out.json");
+  EXPECT_THAT(run(build).err, HasSubstr("--untangle"));
+  const Outcome built = run(build + " --untangle");
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  EXPECT_THAT(built.err, testing::Not(HasSubstr("intersect; ")));
+  const auto report = nlohmann::json::parse(contents("out.json"));
+  EXPECT_THAT(report["input"]["repairs"].dump(), HasSubstr("untangled 1 piece of"));
+  EXPECT_EQ(report["molecule"]["genus"], 0);
+
+  // More than a small fault.
+  mesh::write_mesh(path("spindle.off"), mesh::triangulate(test::torus(96, 64, 0.2, 0.3)).mesh);
+  const Outcome refused = run("inspect --untangle " + path("spindle.off"));
+  EXPECT_EQ(refused.exit_code, 5);
+  EXPECT_THAT(refused.err, HasSubstr("spindle.off: --untangle: "));
+  EXPECT_THAT(refused.err, HasSubstr("no small fault"));
+}
+
 TEST_F(SurfaceOptions, AWrappedMeshBecomesAMolecule) {
   if (!has_cgal) GTEST_SKIP() << "built without CGAL";
   const std::string options = " --atoms 400 --quality draft --wrap 0.2 --report " + path("out.json");
@@ -92,7 +128,7 @@ TEST_F(SurfaceOptions, AWrappedMeshBecomesAMolecule) {
 
 TEST_F(SurfaceOptions, WithoutCgalTheySayHowToGetIt) {
   if (has_cgal) GTEST_SKIP() << "built with CGAL";
-  for (const std::string option : {"--wrap 0.2", "--unite"}) {
+  for (const std::string option : {"--wrap 0.2", "--unite", "--untangle"}) {
     const Outcome refused = run("inspect " + two_cubes() + " " + option);
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, HasSubstr("libcgal-dev"));
@@ -105,7 +141,9 @@ TEST_F(SurfaceOptions, AreRefusedWhereTheyMakeNoSense) {
     EXPECT_EQ(run("inspect " + mesh + " --wrap=" + size).exit_code, 2) << size;
   EXPECT_EQ(run("inspect " + mesh + " --wrap 1 --unite").exit_code, 2);
   EXPECT_EQ(run("inspect " + mesh + " --wrap 1 --close-holes 1").exit_code, 2);
-  EXPECT_EQ(run("build " + mesh + " -o " + path("out.data") + " --unite --no-repair").exit_code, 2);
+  EXPECT_EQ(run("inspect " + mesh + " --wrap 1 --untangle").exit_code, 2);
+  for (const std::string option : {"--unite", "--untangle"})
+    EXPECT_EQ(run("build " + mesh + " -o " + path("out.data") + " --no-repair " + option).exit_code, 2);
   const Outcome cell = run("inspect " + mesh + " --cell 4,4,4 --wrap 1");
   EXPECT_EQ(cell.exit_code, 2);
   EXPECT_THAT(cell.err, HasSubstr("--periodic none"));

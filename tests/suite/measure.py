@@ -132,7 +132,7 @@ def advised(args, code, reason, atoms, options):
         if int(larger.group(1)) <= args.largest or not args.follow_advice:
             return int(larger.group(1)), options
     number = r"[0-9.]+(?:e[+-]?[0-9]+)?"
-    option = rf"--(?:drop-specks|unite)\b|--(?:wrap|close-holes) {number}(?:,{number})?"
+    option = rf"--(?:drop-specks|untangle|unite)\b|--(?:wrap|close-holes) {number}(?:,{number})?"
     named = re.search(rf"(?:{option})(?: (?:{option}))*", reason)  # "It can be used with --close-holes 0.1 --unite"
     if not args.follow_advice or not named:
         return None

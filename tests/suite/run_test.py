@@ -105,7 +105,8 @@ class Advice(unittest.TestCase):
         return measure.advised(types.SimpleNamespace(follow_advice=True, largest=40000), code, reason, 400, list(options))
 
     def test_the_options_it_names_are_taken_with_their_values(self):
-        for options in (["--unite"], ["--wrap", "0.5"], ["--wrap", "1e+02,25"], ["--close-holes", "0.011", "--unite"]):
+        for options in (["--unite"], ["--wrap", "0.5"], ["--wrap", "1e+02,25"], ["--close-holes", "0.011", "--unite"],
+                        ["--untangle", "--unite"]):
             reason = f"the mesh cannot be used: 2 edges\nIt can be used with {' '.join(options)} (wrapped, size 0.5)"
             self.assertEqual(self.follow(reason), (400, options))
 

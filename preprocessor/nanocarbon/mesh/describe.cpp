@@ -57,7 +57,8 @@ Words words_for(MeshProblem problem) {
       return {"vertex belongs to no face", "vertices belong to no face",
               "they are dropped when the mesh is used"};
     case MeshProblem::self_intersection:
-      return {"pair of faces intersects", "pairs of faces intersect", "atoms may come too close there"};
+      return {"pair of faces intersects", "pairs of faces intersect",
+              "atoms may come too close there (inspect tells whether --untangle mends it)"};
     case MeshProblem::search_given_up:
       return {"the search for intersections was abandoned: too many faces overlap", "",
               "look at the mesh in a viewer"};

@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include "nanocarbon/mesh/edge_table.h"
+#include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/repair/repair_surface.h"
+#include "nanocarbon/mesh/triangulate.h"
 #include "support/small_meshes.h"
 
 namespace nanocarbon::mesh {
@@ -29,6 +32,21 @@ TEST(SewBoundaries, TJunctionsAreClosed) {
     EXPECT_NEAR(repaired.diagnosis.volume.value_or(0), 1.0, 1e-3) << off;
     EXPECT_THAT(repaired.mended, testing::Contains(testing::HasSubstr("sewed boundaries")));
   }
+}
+
+// Wherever it lies: also on the side of the face that it is no corner of any more, where a slit remained once.
+TEST(SewBoundaries, ACornerThatIsNotQuiteInItsPlaceIsPutThere) {
+  for (const double size : {1e-7, 1e-6, 1e-5, 1e-4})
+    for (const Vec3& off :
+         {Vec3(1, 0, 0), Vec3(1, 0.5, 0), Vec3(0, 1, 0), Vec3(0, 0, -1), Vec3(-1, -0.5, 1)}) {
+      TriangleMesh cube = triangulate(test::cube()).mesh;
+      cube.points.push_back(cube.points[cube.triangles[0][0]] + size * off);
+      cube.triangles[0][0] = 8;
+      PolygonSoup soup = soup_of(cube);
+      EXPECT_TRUE(sew_boundaries(soup));
+      EXPECT_EQ(soup.points.size(), 8u) << size << " times " << off.transpose();
+      EXPECT_TRUE(mesh_topology(soup, edge_table(soup)).closed());
+    }
 }
 
 TEST(SewBoundaries, AGapThatCanBeSeenStaysOpen) {

@@ -9,6 +9,7 @@
 
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/triangulate.h"
+#include "nanocarbon/shapes/shapes.h"
 #include "support/closed_surface.h"
 #include "support/refusal.h"
 #include "support/small_meshes.h"
@@ -107,6 +108,42 @@ TEST(Wrap, PartsStayApartOrBecomeOneByTheGapBetweenThem) {
   const TriangleMesh two = test::together(test::tetrahedron(), test::tetrahedron({2.5, 0, 0}));
   EXPECT_EQ(test::closed_surface(wrap(soup_of(two), wrap_size(0.1)).mesh).components, 2u);
   EXPECT_EQ(wrap(soup_of(two), wrap_size(3.0)).components, 1u);
+}
+
+// Needles, as broken exporters leave them, are no spikes of the wrap; long thin triangles of a surface stay.
+TEST(Wrap, HairsAreLeftOutAndToldButThinTrianglesOfASurfaceAreNot) {
+  PolygonSoup hairy = soup_of(shapes::make_sphere(1.0, 8));
+  for (int i = 0; i < 5; ++i) {
+    const Vec3 out = Vec3(std::cos(i), std::sin(i), 0.3 * i).normalized();
+    const auto first = static_cast<VertexIndex>(hairy.points.size());
+    hairy.points.insert(hairy.points.end(), {0.9 * out, 1.7 * out, 1.4 * out + Vec3(0, 0, 1e-6)});
+    hairy.corners.insert(hairy.corners.end(), {first, first + 1, first + 2});
+    hairy.close_face();
+  }
+  const Wrapped bald = wrap(hairy, wrap_size(0.2));
+  EXPECT_EQ(bald.hairs, 5u);
+  EXPECT_THAT(describe(bald, wrap_size(0.2)), HasSubstr("left out 5 hairs"));
+  EXPECT_EQ(test::closed_surface(bald.mesh).genus, 0);
+  for (const Vec3& p : bald.mesh.points) EXPECT_LT(p.norm(), 1.05);
+
+  // A drum of sides that are a thousandth of its height wide, one of them missing.
+  PolygonSoup drum;
+  constexpr VertexIndex around = 6000;
+  drum.points = {{0, 0, 0}, {0, 0, 6}};
+  for (VertexIndex i = 0; i < around; ++i)
+    for (const double z : {0.0, 6.0})
+      drum.points.emplace_back(std::cos(2 * M_PI * i / around), std::sin(2 * M_PI * i / around), z);
+  for (VertexIndex i = 0; i < around; ++i) {
+    const VertexIndex a = 2 + 2 * i, b = i + 1 == around ? 2 : a + 2;
+    for (const Triangle& t : {Triangle{a, b, b + 1}, {a, b + 1, a + 1}, {0, b, a}, {1, a + 1, b + 1}}) {
+      if (i == 37 && t[0] == a && t[1] == b) continue;
+      drum.corners.insert(drum.corners.end(), t.begin(), t.end());
+      drum.close_face();
+    }
+  }
+  const Wrapped whole = wrap(drum, {0.4, 0.04});
+  EXPECT_EQ(whole.hairs, 0u);
+  EXPECT_NEAR(signed_volume(whole.mesh), 6 * M_PI, 0.1 * 6 * M_PI);
 }
 
 TEST(Wrap, TheSameMeshGivesTheSameWrap) {

@@ -70,7 +70,10 @@ struct Insertion {
   VertexIndex vertex;
 };
 
-std::vector<Insertion> junctions(const PolygonSoup& soup, const Boundaries& boundaries, double tolerance) {
+// \param to_join vertices this near to a side's end are left to join it, at a wider tolerance: otherwise a slit would remain
+// between the two, which nothing closes
+std::vector<Insertion> junctions(const PolygonSoup& soup, const Boundaries& boundaries, double tolerance,
+                                 double to_join) {
   TriangleMesh sides;  // without area, for the search only
   for (const EdgeUse& side : boundaries.sides) {
     const auto at = static_cast<VertexIndex>(sides.points.size());
@@ -90,7 +93,7 @@ std::vector<Insertion> junctions(const PolygonSoup& soup, const Boundaries& boun
           const Vec3 along = b - a;
           const double place = (p - a).dot(along) / std::max(along.squaredNorm(), 1e-300);
           if (!(place > 0.0 && place < 1.0) || (a + place * along - p).norm() >= tolerance) return;
-          if ((p - a).norm() <= tolerance || (p - b).norm() <= tolerance) return;
+          if ((p - a).norm() <= to_join || (p - b).norm() <= to_join) return;
           found.push_back({boundaries.sides[side].corner, place, v});
         });
   }
@@ -121,16 +124,16 @@ std::optional<std::string> sew_boundaries(PolygonSoup& soup) {
   Boundaries before = boundaries_of(soup);
   std::size_t joined = 0, inserted = 0;
   double widest = 0.0;
+  const double diagonal = bounding_box(soup.points).diagonal();
   for (const double share : {1e-6, 1e-5, 1e-4}) {
-    const double tolerance =
-        std::min(share * bounding_box(soup.points).diagonal(), 0.01 * before.median_length);
+    const double most = 0.01 * before.median_length, tolerance = std::min(share * diagonal, most);
     if (before.sides.empty() || !(tolerance > widest)) break;
     PolygonSoup sewn = soup;
     const std::size_t vertices = join_near(sewn, before, tolerance);
     PolygonSoup unrepeated = sewn;
     if (vertices > 0 && drop_repeated_vertices(unrepeated) > 0) break;
-    const std::vector<Insertion> on_sides =
-        junctions(sewn, vertices > 0 ? boundaries_of(sewn) : before, tolerance);
+    const std::vector<Insertion> on_sides = junctions(sewn, vertices > 0 ? boundaries_of(sewn) : before,
+                                                      tolerance, std::min(1e-4 * diagonal, most));
     if (vertices + on_sides.size() == 0) continue;
     insert(sewn, on_sides);
     Boundaries after = boundaries_of(sewn);

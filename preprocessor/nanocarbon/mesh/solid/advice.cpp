@@ -15,6 +15,7 @@
 #include "nanocarbon/mesh/solid/cgal_version.h"
 #include "nanocarbon/mesh/solid/repair_solids.h"
 #include "nanocarbon/mesh/solid/unite.h"
+#include "nanocarbon/mesh/solid/untangle.h"
 #include "nanocarbon/mesh/solid/wrap.h"
 #include "nanocarbon/mesh/triangulate.h"
 
@@ -32,11 +33,25 @@ double two_digits(double value, double (*round)(double)) {
 std::optional<MeshAdvice> try_union(const PolygonSoup& soup, double close_holes) {
   const RepairedSolids repaired = repair_solids(soup, close_holes);
   if (!repaired.manifold) return {};
+  const std::string closing = close_holes > 0.0 ? fmt::format("--close-holes {:g} ", close_holes) : "";
+  for (const bool untangling : {false, true}) try {
+      const Untangled untangled = untangling ? untangle(repaired.mesh) : Untangled{repaired.mesh};
+      if (untangling && untangled.components == 0) return {};
+      const United united = unite(untangled.mesh);
+      if (united.overlapping == 0 || !repair_surface(soup_of(united.mesh)).diagnosis.usable()) return {};
+      if (!untangling) return MeshAdvice{closing + "--unite", describe(united)};
+      return MeshAdvice{closing + "--untangle --unite", describe(untangled) + "; " + describe(united)};
+    } catch (const UserError&) {  // pieces that cross themselves are not united
+    }
+  return {};
+}
+
+std::optional<MeshAdvice> try_untangling(const TriangleMesh& mesh) {
   try {
-    const United united = unite(repaired.mesh);
-    if (united.overlapping == 0 || !repair_surface(soup_of(united.mesh)).diagnosis.usable()) return {};
-    const std::string closing = close_holes > 0.0 ? fmt::format("--close-holes {:g} ", close_holes) : "";
-    return MeshAdvice{closing + "--unite", describe(united)};
+    const Untangled untangled = untangle(mesh);
+    const MeshDiagnosis diagnosis = repair_surface(soup_of(untangled.mesh)).diagnosis;
+    if (!diagnosis.usable() || diagnosis.find(MeshProblem::self_intersection)) return {};
+    return MeshAdvice{"--untangle", describe(untangled)};
   } catch (const UserError&) {
     return {};
   }
@@ -95,7 +110,10 @@ std::optional<MeshAdvice> advise(const PolygonSoup& soup) {
   if (std::string_view(cgal_version()).empty()) return {};
   const RepairedSurface repaired = repair_surface(soup);
   const double diagonal = repaired.diagnosis.box.diagonal();
-  if (repaired.diagnosis.usable() || soup.faces() == 0 || !(diagonal > 0.0)) return {};
+  if (soup.faces() == 0 || !(diagonal > 0.0)) return {};
+  if (repaired.diagnosis.usable() && repaired.diagnosis.find(MeshProblem::self_intersection))
+    return try_untangling(repaired.mesh);
+  if (repaired.diagnosis.usable()) return {};
   if (auto advice = advise_union(soup, repaired, diagonal)) return advice;
   for (const double part : {50.0, 25.0, 12.5}) {
     const double size = two_digits(diagonal / part, std::round);

@@ -8,7 +8,7 @@
 
 namespace nanocarbon::mesh {
 
-//! What makes a mesh usable that is not.
+//! What makes a mesh usable that is not, or keeps it from crossing itself.
 struct MeshAdvice {
   std::string options;  //!< of the command line, such as "--wrap 0.5"
   std::string outcome;  //!< what the mesh is with them, a sentence
@@ -16,8 +16,9 @@ struct MeshAdvice {
 
 //! \brief The options that make a mesh usable, tried before they are advised: a union where solids overlap, with
 //! their holes closed if these are small; else a wrap, of a size that keeps the most of the shape without getting
-//! in by what is missing, or, around sheets, a shell that is thick enough to see.
-//! \return nothing for a mesh that is usable, for one that nothing helps, and where this was built without CGAL
+//! in by what is missing, or, around sheets, a shell that is thick enough to see. Of a mesh that is usable but crosses
+//! itself, whether it can be untangled.
+//! \return nothing for a mesh that is usable and does not cross itself, for one that nothing helps, and where this was built without CGAL
 std::optional<MeshAdvice> advise(const PolygonSoup& soup);
 
 }  // namespace nanocarbon::mesh

@@ -12,6 +12,7 @@
 #include "nanocarbon/core/disjoint_sets.h"
 #include "nanocarbon/mesh/join_points.h"
 #include "nanocarbon/mesh/repair/repair_surface.h"
+#include "nanocarbon/mesh/solid/mesh_parts.h"
 
 namespace nanocarbon::mesh {
 namespace {
@@ -70,12 +71,6 @@ PolygonSoup soup_of_faces(const PolygonSoup& soup, const std::vector<FaceIndex>&
     part.close_face();
   }
   return part;
-}
-
-void append(TriangleMesh& mesh, const TriangleMesh& part) {
-  const auto shift = static_cast<VertexIndex>(mesh.points.size());
-  mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
-  for (const auto& [a, b, c] : part.triangles) mesh.triangles.push_back({a + shift, b + shift, c + shift});
 }
 
 // What was done to several pieces, each once.

@@ -33,4 +33,16 @@ TriangleMesh from_surface_mesh(const CGAL::Surface_mesh<Point>& from) {
   return mesh;
 }
 
+//! Our mesh as CGAL's; points and triangles keep their order.
+//! \pre manifold and consistently wound
+template <class Point>
+CGAL::Surface_mesh<Point> to_surface_mesh(const TriangleMesh& from) {
+  CGAL::Surface_mesh<Point> mesh;
+  std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index> vertices;
+  vertices.reserve(from.points.size());
+  for (const Vec3& p : from.points) vertices.push_back(mesh.add_vertex({p.x(), p.y(), p.z()}));
+  for (const Triangle& t : from.triangles) mesh.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+  return mesh;
+}
+
 }  // namespace nanocarbon::mesh

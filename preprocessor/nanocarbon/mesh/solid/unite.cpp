@@ -15,6 +15,7 @@
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/mesh/self_intersections.h"
+#include "nanocarbon/mesh/solid/mesh_parts.h"
 #include "nanocarbon/mesh/solid/union_of_solids.h"
 #include "nanocarbon/mesh/triangle_intersection.h"
 #include "nanocarbon/mesh/triangle_tree.h"
@@ -122,23 +123,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_at_vertices(const 
   return crossing;
 }
 
-TriangleMesh faces_of(const TriangleMesh& mesh, const std::vector<FaceIndex>& faces) {
-  TriangleMesh part;
-  part.points = mesh.points;
-  for (const FaceIndex face : faces) part.triangles.push_back(mesh.triangles[face]);
-  drop_unused_points(part);
-  return part;
-}
-
-void append(TriangleMesh& mesh, const TriangleMesh& part) {
-  const auto shift = static_cast<VertexIndex>(mesh.points.size());
-  mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
-  for (const auto& [a, b, c] : part.triangles) mesh.triangles.push_back({a + shift, b + shift, c + shift});
-}
-
 // Of a component that is to be united.
 TriangleMesh solid_of(const TriangleMesh& mesh, const std::vector<FaceIndex>& faces) {
-  TriangleMesh solid = faces_of(mesh, faces);
+  TriangleMesh solid = part_of(mesh, faces);
   if (signed_volume(solid) < 0.0)
     for (Triangle& triangle : solid.triangles) std::swap(triangle[1], triangle[2]);
   return solid;
@@ -184,7 +171,7 @@ United unite(const TriangleMesh& mesh) {
       solids[groups.find(c)].push_back(solid_of(mesh, faces[c]));
       ++united.overlapping;
     }
-  united.mesh = faces_of(mesh, others);
+  united.mesh = part_of(mesh, others);
   for (const auto& [first, group] : solids) {
     const std::optional<TriangleMesh> one = union_of_solids(group);
     if (!one)

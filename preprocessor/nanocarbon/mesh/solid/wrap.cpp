@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "nanocarbon/core/error.h"
@@ -45,6 +49,37 @@ void require_fitting(const WrapSize& size, const TriangleMesh& mesh) {
                                 size.size, 1.05 * least));
 }
 
+// Takes out what the wrap would have spikes without thickness around, and tells how many.
+std::size_t drop_hairs(TriangleMesh& mesh, double widest) {
+  constexpr double most_area = 1e-3;  // what is made of nothing else is meant to be there
+  const std::vector<VertexIndex> place = coincident_points(mesh.points).representative;
+  const auto side = [&](const Triangle& t, std::size_t k) {
+    return std::minmax({place[t[k]], place[t[(k + 1) % 3]]});
+  };
+  std::map<std::pair<VertexIndex, VertexIndex>, int> faces_at;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++faces_at[side(t, k)];
+  const auto is_hair = [&](const Triangle& t) {
+    double longest = 0.0;
+    bool hangs = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length = (mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]]).norm();
+      longest = std::max(longest, length);
+      hangs = hangs && (length <= widest || faces_at[side(t, k)] == 1);
+    }
+    const auto [a, b, c] = corners_of(mesh, t);
+    return hangs && longest > widest && (b - a).cross(c - a).norm() < widest * longest;
+  };
+  TriangleMesh others{mesh.points, {}};
+  std::remove_copy_if(mesh.triangles.begin(), mesh.triangles.end(), std::back_inserter(others.triangles),
+                      is_hair);
+  const std::size_t hairs = mesh.triangles.size() - others.triangles.size();
+  if (hairs == 0 || area(others) < (1.0 - most_area) * area(mesh)) return 0;
+  drop_unused_points(others);
+  mesh = std::move(others);
+  return hairs;
+}
+
 double largest_distance(const TriangleMesh& from, const TriangleMesh& to) {
   std::vector<Vec3> points = sample_by_area(from, std::max<std::size_t>(from.triangles.size(), 20'000));
   points.insert(points.end(), from.points.begin(), from.points.end());
@@ -66,6 +101,7 @@ Wrapped wrap(const PolygonSoup& soup, const WrapSize& size) {
     throw UserError(Failure::unsuitable, "no face of the mesh has an area that could be wrapped");
   require_fitting(size, original);
   Wrapped wrapped;
+  wrapped.hairs = drop_hairs(original, 0.1 * size.offset);
   wrapped.mesh = alpha_wrap(original, size.size, size.offset);
   wrapped.components = mesh_topology(wrapped.mesh).components;
   wrapped.to_original = largest_distance(wrapped.mesh, original);
@@ -76,9 +112,12 @@ Wrapped wrap(const PolygonSoup& soup, const WrapSize& size) {
 std::string describe(const Wrapped& wrapped, const WrapSize& size) {
   return fmt::format(
       "wrapped, size {:g}, offset {:.3g}: {} faces in {} piece{}, nowhere farther than {:.3g} from "
-      "the mesh, and the mesh nowhere farther than {:.3g} from them (mesh units)",
+      "the mesh, and the mesh nowhere farther than {:.3g} from them (mesh units){}",
       size.size, size.offset, wrapped.mesh.triangles.size(), wrapped.components,
-      wrapped.components == 1 ? "" : "s", wrapped.to_original, wrapped.from_original);
+      wrapped.components == 1 ? "" : "s", wrapped.to_original, wrapped.from_original,
+      wrapped.hairs == 0 ? ""
+                         : fmt::format("; left out {} hair{}: faces narrower than {:.2g} that hang free",
+                                       wrapped.hairs, wrapped.hairs == 1 ? "" : "s", 0.1 * size.offset));
 }
 
 }  // namespace nanocarbon::mesh

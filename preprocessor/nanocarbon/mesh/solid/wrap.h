@@ -24,7 +24,8 @@ inline WrapSize wrap_size(double size) { return {size, size / WrapSize::sizes_in
 struct Wrapped {
   TriangleMesh mesh;           //!< a closed 2-manifold that does not cross itself, wound outward
   std::size_t components = 0;  //!< of it
-  double to_original = 0.0;    //!< largest distance from the wrap to the mesh, mesh units
+  std::size_t hairs = 0;     //!< faces of the mesh that were left out, since spikes would have become of them
+  double to_original = 0.0;  //!< largest distance from the wrap to the mesh, mesh units
   double from_original = 0.0;  //!< from the mesh to the wrap: large where parts of the mesh are inside
 };
 
@@ -32,7 +33,8 @@ struct Wrapped {
 //! sheets without thickness.
 //! \details A ball of radius `size` is rolled over the outside and cannot get in where gaps are narrower than
 //! that; what lies within (cavities, inner components) has no surface in the wrap. It lies `offset` outside of the
-//! mesh; where the mesh is a sheet, on both sides.
+//! mesh; where the mesh is a sheet, on both sides. Hairs are left out: faces narrower than a tenth of the offset with no
+//! long side in common with another, where all of them together are less than a thousandth of the area.
 //! \throw UserError (unsuitable) for a mesh without faces that have an area, (usage) for a size that would take
 //! millions of faces or that is far from its offset, and as alpha_wrap()
 Wrapped wrap(const PolygonSoup& soup, const WrapSize& size);
