@@ -5,9 +5,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
+#include <string>
 
 #include "nanocarbon/building/build_molecule.h"
+#include "nanocarbon/building/build_report.h"
 #include "nanocarbon/mesh/distance.h"
 #include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/molecule/hydrogens.h"
@@ -110,6 +113,24 @@ double fitted_radius(const Molecule& molecule) {
   }
   const Eigen::Vector4d solution = normal.ldlt().solve(right);
   return std::sqrt(solution[3] + solution.head<3>().squaredNorm());
+}
+
+// Whoever needs the form is told what keeps more of it, where it was not asked for.
+TEST(OpenSurfaces, WhatMayKeepMoreOfTheCurvatureIsToldWhereMuchIsLost) {
+  BuildOptions options;
+  options.size = AtomCount{300};
+  options.quality = Quality::draft;
+  auto report = build_report(build_molecule(shapes::make_hemisphere(1.0, 0.15), options), options, {});
+  const auto tells = [&](double kept, const char* quality, double tether) {
+    report["boundary"]["gaussian_curvature_kept"] = kept;
+    report["options"]["quality"] = quality;
+    report["options"]["tether"] = tether;
+    return report_table(report).find("--tether 1") != std::string::npos;
+  };
+  EXPECT_TRUE(tells(0.66, "good", 0.05));
+  EXPECT_FALSE(tells(0.9, "good", 0.05));
+  EXPECT_FALSE(tells(0.66, "good", 1.0));
+  EXPECT_FALSE(tells(0.66, "draft", 0.05));
 }
 
 // Nor into a shallow bowl of a larger sphere, which no atom is far from: by the number of atoms a hemisphere has this

@@ -122,6 +122,13 @@ std::string formula(std::size_t carbons, std::size_t hydrogens) {
 }
 
 // Of a thesis's dual nothing has been minimised, and its boundary has no energy.
+// Whether a stiffer tether or a draft, which keeps the disclinations of its triangulation, may keep more of a form.
+bool has_unbent(double curvature_kept, const Json& options) {
+  constexpr double most_of_it = 0.8, stiff = 1.0;
+  return curvature_kept < most_of_it && options.contains("tether") &&
+         options["tether"].get<double>() < stiff && options["quality"] != "draft";
+}
+
 Json boundary_json(const BuildResult& result, const BuildOptions& options) {
   const molecule::BoundaryUnits units =
       result.boundary ? result.boundary->units : molecule::boundary_units(result.molecule);
@@ -304,9 +311,12 @@ std::string report_table(const Json& report) {
     if (b.contains("energy"))
       boundary +=
           fmt::format("; {:.3f} eV/A above graphene and benzene's C-H", b["energy_per_length"].get<double>());
-    if (!b["gaussian_curvature_kept"].is_null())
-      boundary += fmt::format("; {:.0f}% of the shape's Gaussian curvature kept",
-                              100 * b["gaussian_curvature_kept"].get<double>());
+    if (!b["gaussian_curvature_kept"].is_null()) {
+      const double kept = b["gaussian_curvature_kept"].get<double>();
+      boundary += fmt::format("; {:.0f}% of the shape's Gaussian curvature kept", 100 * kept);
+      if (has_unbent(kept, report["options"]))
+        boundary += " (--tether 1 or --quality draft may keep more, at a higher energy)";
+    }
     line("boundary", boundary);
   }
   const auto lengths = [&](const char* key) {
