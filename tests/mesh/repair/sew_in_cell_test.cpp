@@ -481,5 +481,30 @@ TEST(SewInCell, SaysWhereABoundaryHasNoPartner) {
   }
 }
 
+// A vertex far away makes all other edges short, and what is sound looks like specks.
+TEST(SewInCell, NothingSoundIsDroppedAsSpecks) {
+  TriangleMesh cut = unfolded(minimal(shapes::MinimalSurface::Kind::schwarz_p)).mesh;
+  const Cell cell = *minimal(shapes::MinimalSurface::Kind::schwarz_p).space.cell();
+  cut.points[cut.triangles[0][0]].y() += 65536 * cell.vectors(1, 1);
+  EXPECT_THROW(sew_in_cell(cut, cell), UserError);
+  const TriangleMesh box{
+      .points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 65536, 1}},
+      .triangles = {{0, 2, 3},
+                    {0, 3, 1},
+                    {4, 5, 7},
+                    {4, 7, 6},
+                    {0, 1, 5},
+                    {0, 5, 4},
+                    {2, 6, 7},
+                    {2, 7, 3},
+                    {0, 4, 6},
+                    {0, 6, 2},
+                    {1, 3, 7},
+                    {1, 7, 5}}};
+  Cell long_cell = cell;
+  long_cell.vectors = Vec3(1, 3, 3).asDiagonal();
+  EXPECT_THROW(sew_in_cell(box, long_cell), UserError);
+}
+
 }  // namespace
 }  // namespace nanocarbon::mesh

@@ -30,6 +30,8 @@ constexpr double same_line = 0.25;
 constexpr double close_along = 0.25;
 // In mean edges: pieces at faces of the cell that reach no farther than this from one of their vertices are no pieces.
 constexpr double speck = 0.5;
+// Of the mesh: slivers and specks are no more than what these leave over.
+constexpr double least_area = 0.98, least_faces = 0.8;
 // Rise for length: edges that are steeper against a face of the cell do not lie in it.
 constexpr double steepest = 0.5;
 // In least widths.
@@ -96,10 +98,16 @@ class Sewing {
 
   void sew(bool merging, bool corners_first) {
     if (merging) {
+      const double all = area(mesh_);
+      const std::size_t faces = mesh_.triangles.size();
       drop_specks_at_faces();
       // Vertices at nodes of the grid, but for rounding.
       merge_close_vertices(mesh_, 4 * tolerance_, MergedEdges::all,
                            [&](VertexIndex v) { return face_of(mesh_.points[v], 4 * tolerance_) >= 0; });
+      // Not told: the plain reading has failed before.
+      if (area(mesh_) < least_area * all ||
+          static_cast<double>(mesh_.triangles.size()) < least_faces * static_cast<double>(faces))
+        throw UserError(Failure::unsuitable, "what lies at faces of the cell is more than slivers");
     }
     match_vertices();
     if (merging) merge_along_seams();
