@@ -52,6 +52,31 @@ TEST(TurnComponents, ShellsFindWhereTheyFit) {
                 1e-10);
 }
 
+// An atom alone fits a hollow outside of C60, and cannot follow when that is turned within C240.
+TEST(TurnComponents, NeverEndsAboveWhereItBegan) {
+  const Molecule c60 = structures::fullerene(1, 1), c240 = structures::fullerene(2, 2);
+  Molecule molecule = c240;
+  append(molecule, c60);
+  Molecule alone;
+  alone.positions = {Vec3::Zero()};
+  alone.elements = {Element::carbon};
+  for (const double far : {2.4, 2.8, 3.2}) {
+    Molecule with_atom = molecule;
+    alone.positions[0] = (1 + far / c60.positions[7].norm()) * c60.positions[7];
+    append(with_atom, alone);
+    const TriangleMesh surface =
+        shapes::make_nested_spheres({.radius = 3.5, .gap = 3.5, .count = 2, .edge = 0.5});
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      Molecule turned = with_atom;
+      const TurnedComponents result = turn_components(turned.positions, components_of(turned), surface, seed);
+      EXPECT_LE(result.after, result.before);
+      if (result.turned == 0) {
+        EXPECT_EQ(turned.positions, with_atom.positions);
+      }
+    }
+  }
+}
+
 // An ellipsoid in another one, its axes all different, can only be turned by little or by half a turn.
 TEST(TurnComponents, NoneLeavesItsSurface) {
   TriangleMesh surface;

@@ -187,6 +187,7 @@ TurnedComponents turn_components(std::span<Vec3> positions, const topology::Comp
   std::stable_sort(atoms.begin(), atoms.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
 
+  const std::vector<Vec3> given(positions.begin(), positions.end());
   const mesh::NearestPoint nearest(surface);
   std::vector<Vec3> placed;
   for (std::size_t k = 0; k < atoms.size(); ++k) {
@@ -206,6 +207,12 @@ TurnedComponents turn_components(std::span<Vec3> positions, const topology::Comp
     for (const std::size_t a : atoms[k]) placed.push_back(positions[a]);
   }
   if (result.turned > 0) result.after = energy_between(positions, components);
+  // What comes later may not be able to follow what was turned before it.
+  if (result.after > result.before) {
+    std::copy(given.begin(), given.end(), positions.begin());
+    result.after = result.before;
+    result.turned = 0;
+  }
   return result;
 }
 

@@ -58,7 +58,7 @@ Words words_for(MeshProblem problem) {
               "they are dropped when the mesh is used"};
     case MeshProblem::self_intersection:
       return {"pair of faces intersects", "pairs of faces intersect",
-              "atoms may come too close there (inspect tells whether --untangle mends it)"};
+              "atoms may come too close there (where --untangle mends it, inspect says so)"};
     case MeshProblem::search_given_up:
       return {"the search for intersections was abandoned: too many faces overlap", "",
               "look at the mesh in a viewer"};

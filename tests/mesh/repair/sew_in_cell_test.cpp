@@ -506,5 +506,21 @@ TEST(SewInCell, NothingSoundIsDroppedAsSpecks) {
   EXPECT_THROW(sew_in_cell(box, long_cell), UserError);
 }
 
+// Edges across a seam are twenty times those along it: what is torn open by less than a mean edge is no corner of a hole.
+TEST(SewInCell, ATearInAFineSeamIsNoHole) {
+  TriangleMesh torn = sheet(5, 100);
+  Cell cell;
+  cell.vectors = Mat3::Identity();
+  cell.periodic = {true, true, false};
+  EXPECT_NO_THROW(sew_in_cell(torn, cell));
+  int raised = 0;
+  for (Vec3& p : torn.points)
+    if (p.x() == 1 && p.y() > 0.4 && raised < 3) {
+      p.z() += 0.045;
+      ++raised;
+    }
+  EXPECT_THROW(sew_in_cell(torn, cell), UserError);
+}
+
 }  // namespace
 }  // namespace nanocarbon::mesh

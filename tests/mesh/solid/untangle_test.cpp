@@ -135,5 +135,15 @@ TEST(Untangle, AUnionMayNeedItFirst) {
   EXPECT_EQ(advice->options, "--untangle --unite");
 }
 
+// The faces of a cavity look inwards: a piece of negative volume.
+TEST(Untangle, ACavityStaysOne) {
+  TriangleMesh cavity = folded_ball();
+  for (Triangle& t : cavity.triangles) std::swap(t[1], t[2]);
+  const Untangled untangled = untangle(cavity);
+  EXPECT_EQ(untangled.components, 1u);
+  const double ball = signed_volume(shapes::make_sphere(1.0, 16));
+  EXPECT_NEAR(signed_volume(untangled.mesh), -ball, 0.03 * ball);
+}
+
 }  // namespace
 }  // namespace nanocarbon::mesh

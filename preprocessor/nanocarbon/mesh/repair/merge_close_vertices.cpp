@@ -95,14 +95,15 @@ class Merging {
     return all;
   }
 
-  // Where the ends have only the third corners of their triangles in common, and there are other triangles.
+  // Where the ends have only the third corners of their triangles in common, and there are other triangles:
+  // more than a tetrahedron's.
   bool may_merge(const ShortEdge& edge) const {
     const std::vector<VertexIndex> of_one = neighbours(edge.keep), of_other = neighbours(edge.lose);
     std::vector<VertexIndex> common;
     std::set_intersection(of_one.begin(), of_one.end(), of_other.begin(), of_other.end(),
                           std::back_inserter(common));
     return common.size() == 2 + edge.faces &&
-           faces_at_[edge.keep].size() + faces_at_[edge.lose].size() > 2 * edge.faces;
+           faces_at_[edge.keep].size() + faces_at_[edge.lose].size() > (edge.faces == 2 ? 6u : 2u);
   }
 
   TriangleMesh& mesh_;

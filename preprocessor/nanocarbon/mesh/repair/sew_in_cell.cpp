@@ -169,7 +169,8 @@ class Sewing {
 
   void move_cell(int d, double by) { cell_.origin += by * cell_.vectors.col(d); }
 
-  // Faces outside the cell if it began there along an edge of its; none, if one of them is no image of a face inside.
+  // Faces outside the cell if it began there along an edge of its; none, if one of them is no image of a
+  // face inside. Corners do not tell: of a mesh that holds every face once, those beyond have theirs inside, too.
   std::size_t drop_copies(int d, double from) {
     const double height = face_distances(cell())[d];
     std::vector<bool> beyond(mesh_.triangles.size(), false);
@@ -347,14 +348,18 @@ class Sewing {
   }
 
   void require_partners() const {
-    // Lines along one face, with what has no counterpart in them: parts shorter than an edge are rounded corners of holes.
+    // Lines along one face, with what has no counterpart in them: parts shorter than an edge, of the mesh and of the
+    // boundary there, are rounded corners of holes.
     std::vector<DisjointSets> lines(6, DisjointSets(mesh_.points.size()));
     std::vector<std::pair<BoundaryEdge, int>> cut;
     std::vector<bool> in_face(mesh_.points.size(), false), lonely(mesh_.points.size(), false);
+    std::array<double, 6> longest{};  // of the boundary's edges in each face
     for (const BoundaryEdge& edge : boundary_edges(mesh_)) {
       const int face = cut_by(edge);
       if (face < 0) continue;
       in_face[edge.from] = in_face[edge.to] = true;
+      double& here = longest[static_cast<std::size_t>(face)];
+      here = std::max(here, (mesh_.points[edge.to] - mesh_.points[edge.from]).norm());
       if (!partner_[edge.from].empty() && !partner_[edge.to].empty()) continue;
       cut.emplace_back(edge, face);
       // Others are where a line ends.
@@ -369,7 +374,7 @@ class Sewing {
     for (const auto& c : cut)
       lengths[line_of(c)] += (mesh_.points[c.first.to] - mesh_.points[c.first.from]).norm();
     for (const auto& c : cut)
-      if (lengths[line_of(c)] > mean_edge_)
+      if (lengths[line_of(c)] > std::min(mean_edge_, longest[static_cast<std::size_t>(c.second)]))
         for (const VertexIndex v : {c.first.from, c.first.to}) lonely[v] = partner_[v].empty();
     const auto missing = std::count(lonely.begin(), lonely.end(), true),
                in_faces = std::count(in_face.begin(), in_face.end(), true);

@@ -7,6 +7,8 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "nanocarbon/core/error.h"
@@ -16,6 +18,7 @@
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/repair/repair_surface.h"
+#include "nanocarbon/mesh/solid/cgal_version.h"
 #include "nanocarbon/mesh/solid/mend_crossings.h"
 #include "nanocarbon/mesh/solid/mesh_parts.h"
 
@@ -94,6 +97,9 @@ std::optional<TriangleMesh> try_to_mend(const TriangleMesh& piece, const std::ve
   if (!diagnosis.usable() || diagnosis.find(MeshProblem::self_intersection) ||
       diagnosis.find(MeshProblem::search_given_up))
     return {};
+  // A cavity stays one: its faces look inwards.
+  if (mesh_topology(piece).closed() && signed_volume(piece) * signed_volume(repaired.mesh) < 0)
+    for (Triangle& t : repaired.mesh.triangles) std::swap(t[1], t[2]);
   return std::move(repaired.mesh);
 }
 
@@ -116,7 +122,11 @@ TriangleMesh mended(const TriangleMesh& piece, const MeshDiagnosis& before, Unta
                  before.topology.boundary_loops));
     }
     refuse(crossing,
-           "none of the surfaces that were tried in place of the faces around them is without intersections");
+           fmt::format("none of the surfaces that were tried in place of the faces around them is without "
+                       "intersections{}",
+                       examined.size() < piece.triangles.size()
+                           ? "; faces at vertices that lie on others were left as they are"
+                           : ""));
   }
   const MeshTopology after = mesh_topology(*found);
   if (!same_surface(before.topology, after))
@@ -129,7 +139,8 @@ TriangleMesh mended(const TriangleMesh& piece, const MeshDiagnosis& before, Unta
                "a surface without them would replace {:.0f}% of the piece: that is more than a small fault",
                100.0 * share));
   const double to_original = largest_distance(put, piece);
-  if (to_original > farthest * before.box.diagonal())
+  // Between vertices that stay, the middle of a new face may be that far off.
+  if (to_original > std::max(farthest * before.box.diagonal(), 0.5 * edge_lengths(put).max))
     refuse(crossing, fmt::format("a surface without them would lie up to {:.3g} off the mesh, which is "
                                  "{:.3g} from corner to corner",
                                  to_original, before.box.diagonal()));
@@ -144,6 +155,8 @@ TriangleMesh mended(const TriangleMesh& piece, const MeshDiagnosis& before, Unta
 }  // namespace
 
 Untangled untangle(const TriangleMesh& mesh) {
+  // Says how to get it.
+  if (std::string_view(cgal_version()).empty()) mend_crossings(mesh, {}, Handles::keep);
   const MeshTopology topology = mesh_topology(mesh);
   std::vector<std::vector<FaceIndex>> faces(topology.components);
   for (FaceIndex face = 0; face < mesh.triangles.size(); ++face)

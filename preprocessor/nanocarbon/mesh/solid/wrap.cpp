@@ -112,9 +112,10 @@ Wrapped wrap(const PolygonSoup& soup, const WrapSize& size) {
 std::string describe(const Wrapped& wrapped, const WrapSize& size) {
   return fmt::format(
       "wrapped, size {:g}, offset {:.3g}: {} faces in {} piece{}, nowhere farther than {:.3g} from "
-      "the mesh, and the mesh nowhere farther than {:.3g} from them (mesh units){}",
+      "the mesh, and {}the mesh nowhere farther than {:.3g} from them (mesh units){}",
       size.size, size.offset, wrapped.mesh.triangles.size(), wrapped.components,
-      wrapped.components == 1 ? "" : "s", wrapped.to_original, wrapped.from_original,
+      wrapped.components == 1 ? "" : "s", wrapped.to_original, wrapped.hairs == 0 ? "" : "the rest of ",
+      wrapped.from_original,
       wrapped.hairs == 0 ? ""
                          : fmt::format("; left out {} hair{}: faces narrower than {:.2g} that hang free",
                                        wrapped.hairs, wrapped.hairs == 1 ? "" : "s", 0.1 * size.offset));
