@@ -139,8 +139,8 @@ TriangleMesh mended(const TriangleMesh& piece, const MeshDiagnosis& before, Unta
                "a surface without them would replace {:.0f}% of the piece: that is more than a small fault",
                100.0 * share));
   const double to_original = largest_distance(put, piece);
-  // Between vertices that stay, the middle of a new face may be that far off.
-  if (to_original > std::max(farthest * before.box.diagonal(), 0.5 * edge_lengths(put).max))
+  // Where what was pulled through is cut off, new faces lie as far from the rest as they are long.
+  if (to_original > std::max(farthest * before.box.diagonal(), edge_lengths(put).max))
     refuse(crossing, fmt::format("a surface without them would lie up to {:.3g} off the mesh, which is "
                                  "{:.3g} from corner to corner",
                                  to_original, before.box.diagonal()));
