@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "nanocarbon/mesh/nearest_point.h"
 #include "nanocarbon/shapes/shapes.h"
@@ -52,28 +53,48 @@ TEST(TurnComponents, ShellsFindWhereTheyFit) {
                 1e-10);
 }
 
-// An atom alone fits a hollow outside of C60, and cannot follow when that is turned within C240.
+// C60 beside C240, with an atom alone in a hollow on its other side: that cannot follow when C60 is turned.
 TEST(TurnComponents, NeverEndsAboveWhereItBegan) {
   const Molecule c60 = structures::fullerene(1, 1), c240 = structures::fullerene(2, 2);
-  Molecule molecule = c240;
-  append(molecule, c60);
-  Molecule alone;
-  alone.positions = {Vec3::Zero()};
-  alone.elements = {Element::carbon};
-  for (const double far : {2.4, 2.8, 3.2}) {
-    Molecule with_atom = molecule;
-    alone.positions[0] = (1 + far / c60.positions[7].norm()) * c60.positions[7];
-    append(with_atom, alone);
-    const TriangleMesh surface =
-        shapes::make_nested_spheres({.radius = 3.5, .gap = 3.5, .count = 2, .edge = 0.5});
-    for (const std::uint64_t seed : {1, 2, 3}) {
-      Molecule turned = with_atom;
-      const TurnedComponents result = turn_components(turned.positions, components_of(turned), surface, seed);
-      EXPECT_LE(result.after, result.before);
-      if (result.turned == 0) {
-        EXPECT_EQ(turned.positions, with_atom.positions);
-      }
+  const Vec3 beside(radius_of(c240) + radius_of(c60) + 3.6, 0, 0);
+  Molecule molecule = c240, turned = c60, alone;
+  const Mat3 askew = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  for (Vec3& p : turned.positions) p = askew * p + beside;
+  append(molecule, turned);
+  // As far as can be from all atoms of C60, on a sphere around it.
+  double farthest = 0;
+  Vec3 hollow = Vec3::Zero();
+  for (int k = 0; k < 2000; ++k) {
+    const double x = (k + 0.5) / 2000, angle = 2.399963 * k;  // the golden angle
+    const Vec3 way(x, std::sqrt(1 - x * x) * std::cos(angle), std::sqrt(1 - x * x) * std::sin(angle));
+    const Vec3 p = beside + (radius_of(c60) + 2.75) * way;
+    double nearest = 1e9;
+    for (const Vec3& q : turned.positions) nearest = std::min(nearest, (p - q).norm());
+    if (nearest > farthest) {
+      farthest = nearest;
+      hollow = p;
     }
+  }
+  alone.positions = {hollow};
+  alone.elements = {Element::carbon};
+  append(molecule, alone);
+  TriangleMesh surface = shapes::make_sphere(radius_of(c240), 10);
+  for (const Triangle& t : shapes::make_sphere(1, 10).triangles)
+    surface.triangles.push_back({t[0] + static_cast<VertexIndex>(surface.points.size()),
+                                 t[1] + static_cast<VertexIndex>(surface.points.size()),
+                                 t[2] + static_cast<VertexIndex>(surface.points.size())});
+  for (const Vec3& p : shapes::make_sphere(radius_of(c60), 10).points) surface.points.push_back(p + beside);
+  const auto corner = static_cast<VertexIndex>(surface.points.size());
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0, 0.1, 0)})
+    surface.points.push_back(hollow + p);
+  surface.triangles.push_back({corner, corner + 1, corner + 2});
+
+  const auto before = molecule.positions;
+  const TurnedComponents result = turn_components(molecule.positions, components_of(molecule), surface, 1);
+  EXPECT_LT(result.before, 0);
+  EXPECT_LE(result.after, result.before);
+  if (result.turned == 0) {
+    EXPECT_EQ(molecule.positions, before);
   }
 }
 

@@ -20,12 +20,14 @@ struct Untangled {
   double from_original = 0.0;
 };
 
-//! \brief New triangles where a component crosses itself in a few places, as scans and remeshers leave them: a vertex that was
-//! pushed through the other side, spikes that cross, folds. All other faces, genus and boundary loops stay.
-//! \details Components that do not cross themselves stay as they are; those that cross others, or that have faces without area, are no matter of this one.
-//! \throw UserError (unsuitable) naming the place and why, where that is more than a small fault: a component that passes
-//! through itself in thousands of faces, or where a new surface would have other handles, would replace more than a fifth of the
-//! area, or would lie off the old one by more than a twentieth of the size; (usage) as mend_crossings()
+//! \brief New triangles where a component crosses itself in a few places, as scans and remeshers leave them: a vertex
+//! that was pushed through the other side, spikes that cross, folds. All other faces, genus and boundary loops stay.
+//! \details Components that do not cross themselves stay as they are, those that cross others or have faces without
+//! area among them.
+//! \throw UserError (unsuitable) naming the place and why, where that is more than a small fault: a component that
+//! passes through itself in thousands of faces, or where a new surface would have other handles, would replace more
+//! than a fifth of the area, or would lie off the old one by more than a twentieth of the size and than its longest
+//! edge; (usage) as mend_crossings()
 //! \pre manifold and consistently wound, in free space
 Untangled untangle(const TriangleMesh& mesh);
 
