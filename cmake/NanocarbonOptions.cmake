@@ -44,6 +44,12 @@ if(NANOCARBON_SANITIZE)
                          -fno-omit-frame-pointer)
   target_link_options(nanocarbon_settings INTERFACE -fsanitize=address,undefined)
 endif()
+if(NANOCARBON_FUZZERS)
+  # Every room is compiled for coverage, too, so that a fuzzer sees which branches an input reaches.
+  target_compile_options(nanocarbon_settings INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+                         -fno-sanitize-recover=all)
+  target_link_options(nanocarbon_settings INTERFACE -fsanitize=fuzzer-no-link,address,undefined)
+endif()
 if(NANOCARBON_COVERAGE)
   target_compile_options(nanocarbon_settings INTERFACE --coverage -fprofile-update=atomic)
   target_link_options(nanocarbon_settings INTERFACE --coverage)
