@@ -25,9 +25,6 @@ constexpr double least_coarsening = 0.8;
 // Springs that have turned or stretched by more than this are out of date, Angstrom.
 constexpr double most_strain = 0.5;
 
-// Rigid motions are left out of steps from so many atoms on; smaller molecules are brought back afterwards.
-constexpr std::size_t least_still = 20000;
-
 // Translations and turns about the centre, which no spring resists.
 class RigidPart {
  public:
@@ -180,9 +177,7 @@ struct SheetPreconditioner::Levels {
   RigidPart rigid;              // about the reference
 
   // Whether nothing says where the molecule is.
-  bool floats() const {
-    return connected && holds.empty() && !space.periodic() && reference.size() >= least_still;
-  }
+  bool floats() const { return connected && holds.empty() && !space.periodic(); }
 
   void build(std::span<const Vec3> positions, const SheetStiffness& stiffness) {
     order = compact_order(bonds);

@@ -18,8 +18,8 @@ inline constexpr std::size_t least_atoms = 2000;
 //! \details One cycle of a multilevel solver (Brandt 1977) for springs that stand for the sheet: on each level a
 //! sweep of block Gauss-Seidel before and one after the correction from coarser nodes, which are interpolated by
 //! moving least squares; a Cholesky factorisation on the coarsest. Time and memory are linear in atoms. The
-//! operator is symmetric and positive definite. From 20,000 atoms on a molecule in free space that nothing holds, of one
-//! component, is not moved as a whole: its steps have no rigid part.
+//! operator is symmetric and positive definite. A molecule in free space that nothing holds, of one
+//! component, is not moved as a whole: its steps have no rigid part (which would count against the limit of their strain).
 class SheetPreconditioner {
  public:
   //! \param team may be null; outlives the preconditioner
