@@ -86,6 +86,20 @@ TEST(FormulaSurface, ATriclinicCell) {
   EXPECT_NEAR(mesh::area(made), 2.35 * 4 * pi * pi, 0.05 * 4 * pi * pi);
 }
 
+// Two networks, of genus 5 each, 0.6 apart: on the default grid, with steps of 0.35, they run into each other.
+TEST(FormulaSurface, PartsThatComeNearEachOtherStayApart) {
+  FormulaSurface surface = of("(sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x))^2");
+  for (const double level : {0.16, 0.25, 0.64}) {
+    surface.level = level;
+    const mesh::MeshTopology topology = mesh::mesh_topology(make_formula_surface(surface));
+    EXPECT_EQ(topology.components, 2u) << level;
+    EXPECT_EQ(topology.euler_characteristic, -16) << level;
+  }
+  surface.level = 0.25;
+  surface.edge = 0.3;
+  EXPECT_THAT(refusal(surface), testing::HasSubstr("use --edge 0."));
+}
+
 TEST(FormulaSurface, SaysWhatIsWrongAndWhere) {
   using testing::HasSubstr;
   EXPECT_THAT(refusal(of("cos(x) + cosine(y)")), HasSubstr("cosine"));

@@ -16,9 +16,10 @@ std::optional<AnnealedStart> start_without_defects(const TriangleMesh& surface, 
 
 //! \brief Anneals a closed surface in a periodic cell.
 //! \details The defects that the surface asks for are few, and where they lie decides: several starts are annealed
-//! with so few atoms that they find good places, the best of them once it is let go is refined in one or two steps
-//! (of 3, 4, 7 or 9 triangles for one), and annealed shortly on the way, in the cell as the best start has strained
-//! it. Cells of a few hundred atoms are annealed at full size instead.
+//! with so few atoms that they find good places, and refined in one to three steps (of 3, 4, 7 or 9 triangles for one):
+//! the one that is best once the first step has been made and it is let go. Up to 4,000 atoms starts at full size are
+//! compared with it. The best is annealed shortly, in the cell as it strains it. Cells of a few hundred atoms are
+//! annealed from hot at full size instead.
 //! \param direct the start at full size, relaxed
 BestStart best_start_in_cell(annealing::AnnealingLevel direct, const TriangleMesh& surface, std::size_t atoms,
                              const AnnealOptions& options);

@@ -11,6 +11,7 @@
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/random_stream.h"
+#include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/shapes/polygonise.h"
 #include "nanocarbon/shapes/polygonise_in_cell.h"
 
@@ -85,6 +86,45 @@ void require_periodic(const ImplicitShape& shape, const Cell& cell) {
     }
 }
 
+// Grids that are so many times as fine as each other are compared, down to this share of the cell's shortest edge.
+constexpr double finer = 1.5, finest = 1.0 / 120;
+
+// Where parts of a surface come nearer to each other than the steps of a grid, it joins them. The longest of the edges tried
+// that show the surface as the next do, or nothing.
+std::optional<double> edge_that_resolves(const ImplicitShape& shape, const Cell& cell, double edge) {
+  const double least = finest * cell.vectors.colwise().norm().minCoeff();
+  if (edge < finer * least) return edge;
+  const auto seen = [&](double with) {
+    const mesh::MeshTopology t = mesh::mesh_topology(marched_in_cell(shape, cell, with));
+    return std::pair(t.components, t.euler_characteristic);
+  };
+  for (auto coarse = seen(edge); edge >= finer * least; edge /= finer) {
+    const auto fine = seen(edge / finer);
+    if (fine == coarse) return edge;
+    coarse = fine;
+  }
+  return {};
+}
+
+double resolved(const ImplicitShape& shape, const FormulaSurface& s, const Cell& cell, double edge) {
+  const std::optional<double> good = edge_that_resolves(shape, cell, edge);
+  if (!good)
+    throw UserError(
+        Failure::usage,
+        fmt::format(
+            "the surface where '{}' is {:.6g} comes so near to itself that no grid up to {:.0f} steps "
+            "along the cell shows which parts hang together; choose another value with --level",
+            s.formula, s.level, 1 / finest));
+  if (s.edge && *good < edge)
+    throw UserError(
+        Failure::usage,
+        fmt::format(
+            "with edges of {:.4g} parts of the surface that come near each other run into each other; "
+            "use --edge {:.4g} or shorter",
+            edge, *good));
+  return *good;
+}
+
 }  // namespace
 
 ImplicitShape shape_of_formula(const std::string& formula) {
@@ -110,6 +150,8 @@ TriangleMesh make_formula_surface(const FormulaSurface& s) {
   };
   const ImplicitShape& shape = s.thickness > 0.0 ? shell : at_level;
   const auto& periodic = cell.periodic;
+  if (periodic[0] && periodic[1] && periodic[2])
+    return polygonise_in_cell(shape, cell, resolved(shape, s, cell, edge));
   if (periodic[0] || periodic[1] || periodic[2]) return polygonise_in_cell(shape, cell, edge);
   if (!cell.vectors.isDiagonal(1e-12))
     throw UserError(Failure::usage, "the box of a formula that is not periodic must have right angles");

@@ -23,11 +23,13 @@ struct FormulaSurface {
   Cell cell;               //!< around the origin; in directions that are not periodic a box
   double level = 0.0;      //!< value of the formula on the surface
   double thickness = 0.0;  //!< mesh units: the closed shell around the surface; 0: the surface itself
-  std::optional<double> edge = {};  //!< about the edges of the triangles; a 25th of the cell's shortest edge
+  //! About the edges of the triangles; a 25th of the cell's shortest edge, or what the surface needs.
+  std::optional<double> edge = {};
 };
 //! \brief As a mesh in its cell; where no direction is periodic, in free space, closed off at the box.
 //! \throw UserError (usage) for what cannot be made: a formula that does not repeat itself in the cell (saying
-//! where), or has one sign everywhere
+//! where), or has one sign everywhere; periodic in all directions, edges with which parts of the surface run into
+//! each other
 TriangleMesh make_formula_surface(const FormulaSurface& surface);
 
 }  // namespace nanocarbon::shapes

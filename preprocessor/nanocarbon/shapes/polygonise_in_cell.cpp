@@ -142,8 +142,7 @@ class Marcher {
 
 }  // namespace
 
-TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, double edge,
-                                const ImplicitSlope& slope) {
+TriangleMesh marched_in_cell(const ImplicitShape& shape, const Cell& cell, double edge) {
   if (!(edge > 0.0)) throw UserError(Failure::usage, "the edge must be above zero");
   const Grid grid(cell, edge);
   if (grid.size() > 5e7)
@@ -159,6 +158,12 @@ TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, do
                     "there is no surface in the cell: the function has the same sign everywhere, or the edge "
                     "is too long to show the surface");
   mesh.space = Space(cell);
+  return mesh;
+}
+
+TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, double edge,
+                                const ImplicitSlope& slope) {
+  TriangleMesh mesh = marched_in_cell(shape, cell, edge);
   constexpr int rounds = 12;
   if (slope)
     even_out(mesh, slope, edge, rounds);

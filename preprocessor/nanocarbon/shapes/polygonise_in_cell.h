@@ -18,4 +18,7 @@ namespace nanocarbon::shapes {
 TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, double edge,
                                 const ImplicitSlope& slope = {});
 
+//! \brief The same before vertices are evened out: how the surface hangs together, as a grid of these steps shows it.
+TriangleMesh marched_in_cell(const ImplicitShape& shape, const Cell& cell, double edge);
+
 }  // namespace nanocarbon::shapes
