@@ -8,7 +8,7 @@
 #include "nanocarbon/annealing/fixed_bond_model.h"
 #include "nanocarbon/annealing/geometry_check.h"
 #include "nanocarbon/annealing/surface_fit.h"
-#include "nanocarbon/annealing/untangle.h"
+#include "nanocarbon/annealing/unknot.h"
 #include "nanocarbon/building/annealing_schedules.h"
 #include "nanocarbon/building/potential_choice.h"
 #include "nanocarbon/building/turn_components.h"
