@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nanocarbon/building/build_molecule.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/triangulate.h"
 #include "nanocarbon/shapes/periodic_shapes.h"
@@ -112,6 +113,65 @@ TEST(Likeness, AShapeThatIsRoundedOffIsTold) {
   const Likeness ball = likeness(cage, test::sphere(std::sqrt(area / (4 * std::numbers::pi)), 3), 0.4);
   EXPECT_LT(ball.from_sphere, 0.01 * ball.shape_radius);
   EXPECT_THAT(ball.warnings(), testing::IsEmpty());
+}
+
+//! A gear about the z axis: so many teeth that reach out from the radius by the depth.
+TriangleMesh gear(int teeth, double radius, double depth, double height) {
+  mesh::PolygonSoup soup;
+  std::vector<Vec3> outline;
+  for (int tooth = 0; tooth < teeth; ++tooth)
+    for (const auto& [turn, reach] : {std::pair{0.0, 0.0}, {0.45, 0.0}, {0.5, depth}, {0.95, depth}}) {
+      const double angle = 2 * std::numbers::pi * (tooth + turn) / teeth, r = radius + reach;
+      outline.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+    }
+  const auto around = static_cast<VertexIndex>(outline.size());
+  for (const double z : {-0.5 * height, 0.5 * height})
+    for (const Vec3& p : outline) soup.points.push_back(p + Vec3(0, 0, z));
+  soup.points.insert(soup.points.end(), {Vec3(0, 0, -0.5 * height), Vec3(0, 0, 0.5 * height)});
+  for (VertexIndex i = 0; i < around; ++i) {
+    const VertexIndex next = (i + 1) % around;
+    for (const Triangle& t : {Triangle{i, next, around + next},
+                              {i, around + next, around + i},
+                              {2 * around, next, i},
+                              {2 * around + 1, around + i, around + next}}) {
+      soup.corners.insert(soup.corners.end(), t.begin(), t.end());
+      soup.close_face();
+    }
+  }
+  return mesh::triangulate(soup).mesh;
+}
+
+BuildResult draft(const TriangleMesh& surface, std::size_t atoms) {
+  BuildOptions options;
+  options.size = AtomCount{atoms};
+  options.quality = Quality::draft;
+  options.force = true;
+  return build_molecule(surface, options);
+}
+
+// Its atoms lie near the surface and its distance from a sphere is a cylinder's; but the teeth are gone.
+TEST(Likeness, AGearThatLostItsTeethIsTold) {
+  const Likeness smooth = *draft(gear(12, 0.8, 0.2, 0.5), 240).likeness;
+  EXPECT_GT(smooth.turned_away, turned_away_to_warn);
+  EXPECT_THAT(smooth.warnings(), testing::Not(testing::IsEmpty()));
+  // Larger, it would not be told by the distance, nor by how near a sphere is.
+  Likeness larger = smooth;
+  larger.from_sphere *= 2;
+  EXPECT_THAT(larger.warnings(), testing::ElementsAre(testing::HasSubstr("detail of the shape")));
+  larger.turned_away = turned_away_to_warn;
+  EXPECT_THAT(larger.warnings(), testing::IsEmpty());
+  // Of four wide teeth with as many atoms as it takes.
+  const Likeness toothed = *draft(gear(4, 0.6, 0.4, 0.8), 1500).likeness;
+  EXPECT_LT(toothed.turned_away, turned_away_to_warn);
+  EXPECT_THAT(toothed.warnings(), testing::Not(testing::Contains(testing::HasSubstr("detail of the shape"))));
+}
+
+// Edges that are rounded, as all are, turn by half their angle.
+TEST(Likeness, ARoundedBoxLacksNoDetail) {
+  const double area = 60 * area_per_atom;
+  TriangleMesh cube = mesh::triangulate(test::cube(Vec3::Zero())).mesh;
+  for (Vec3& p : cube.points) p = (p - Vec3::Constant(0.5)) * std::sqrt(area / 6);
+  EXPECT_LT(likeness(structures::fullerene(1, 1), cube, 0.4).turned_away, 0.02);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ TEST(SizeAdvice, SaysWhatWasOnlyChecked) {
   EXPECT_FALSE(found.tried);
   EXPECT_TRUE(tried.empty());
   EXPECT_THAT(advice(found), HasSubstr("leaves no feature too small is --atoms 9000"));
+  EXPECT_THAT(advice(found), HasSubstr("no draft was made"));
 }
 
 TEST(SizeAdvice, NamesNoneWhereNoneHolds) {

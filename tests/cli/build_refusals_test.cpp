@@ -34,6 +34,14 @@ TEST_F(BuildRefusals, TheSizeThatARefusalNamesIsBuilt) {
   ASSERT_EQ(run(build + " --atoms fit --report " + path("out.json")).exit_code, 0);
   const auto report = nlohmann::json::parse(contents("out.json"));
   EXPECT_LE(report["options"]["atoms_aimed_at"].get<int>(), 1.3 * atoms);
+  // The draft that was found to hold is the one that is written, not a second one.
+  const auto below_first_line = [this] {  // which holds the command
+    const std::string all = contents("out.data");
+    return all.substr(all.find('\n'));
+  };
+  const std::string fitted = below_first_line();
+  EXPECT_EQ(run(build + " --atoms " + report["options"]["atoms_aimed_at"].dump()).exit_code, 0);
+  EXPECT_TRUE(below_first_line() == fitted);
   EXPECT_EQ(run(build + " --atoms fit --recipe thesis").exit_code, 2);
   EXPECT_EQ(run(build + " --atoms fits").exit_code, 2);
 }

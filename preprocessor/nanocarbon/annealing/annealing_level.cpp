@@ -5,7 +5,7 @@
 
 #include "nanocarbon/annealing/dual_relaxation.h"
 #include "nanocarbon/annealing/geometry_check.h"
-#include "nanocarbon/annealing/untangle.h"
+#include "nanocarbon/annealing/unknot.h"
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/mesh/nearest_point.h"
 
@@ -99,7 +99,7 @@ void relax_level(AnnealingLevel& level, const TetherSurface& surface, bool raw) 
   const auto relaxed =
       relax_network(fixed_bond_graph(level.state.network, level.state.space), level.state.positions, surface,
                     {.tether = level.state.tether,
-                     .untangling_attempts = raw ? 1u : 0u,
+                     .unknotting_attempts = raw ? 1u : 0u,
                      .free_mean = level.state.free_mean,
                      .springs_first = raw,
                      .running = level.state.running});

@@ -33,7 +33,7 @@ std::optional<AnnealingLevel> level_on(const TriangleMesh& triangulation, const 
 bool holds(const AnnealingLevel& level);
 
 //! Relaxes under the tether.
-//! \param raw untangles first, and begins with springs
+//! \param raw unknots first, and begins with springs
 void relax_level(AnnealingLevel& level, const TetherSurface& surface, bool raw = true);
 
 //! Switches bonds; options.tether is the level's.

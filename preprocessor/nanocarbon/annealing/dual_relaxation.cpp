@@ -4,24 +4,24 @@
 #include "nanocarbon/annealing/fixed_bond_model.h"
 #include "nanocarbon/annealing/geometry_check.h"
 #include "nanocarbon/annealing/spring_relaxation.h"
-#include "nanocarbon/annealing/untangle.h"
+#include "nanocarbon/annealing/unknot.h"
 #include "nanocarbon/core/chunks.h"
 
 namespace nanocarbon::annealing {
 
 namespace {
 
-// Larger molecules are relaxed again only around what was untangled, if that is not more than this share of them.
+// Larger molecules are relaxed again only around what was unknotted, if that is not more than this share of them.
 constexpr std::size_t least_large = 2000;
 constexpr double most_around = 0.1;
 
-void relax_untangled(FixedBondModel& model, const TetherSurface& surface, std::vector<Vec3>& positions,
-                     std::span<const AtomIndex> untangled, int iterations) {
+void relax_unknotted(FixedBondModel& model, const TetherSurface& surface, std::vector<Vec3>& positions,
+                     std::span<const AtomIndex> unknotted, int iterations) {
   const auto atoms = static_cast<double>(positions.size());
-  if (positions.size() < least_large || static_cast<double>(untangled.size()) > most_around * atoms)
+  if (positions.size() < least_large || static_cast<double>(unknotted.size()) > most_around * atoms)
     relax_by_springs(model, surface, positions, iterations);
   else
-    relax_by_springs_around(model, surface, positions, untangled, iterations);
+    relax_by_springs_around(model, surface, positions, unknotted, iterations);
 }
 
 double mean_distance(const TetherSurface& surface, std::span<const Vec3> positions, ThreadTeam* team) {
@@ -45,17 +45,17 @@ DualRelaxationResult relax_network(const FixedBondGraph& graph, std::vector<Vec3
   if (options.springs_first) relax_by_springs(model, surface, positions, options.max_iterations);
   DualRelaxationResult result;
   minimisation::LbfgsResult relaxed;
-  for (unsigned attempt = 0; attempt <= options.untangling_attempts; ++attempt) {
+  for (unsigned attempt = 0; attempt <= options.unknotting_attempts; ++attempt) {
     const auto stage = model.running.stage("tethered");
     relaxed = minimise_fixed_bonds(
         model, &surface, positions,
         {.max_iterations = options.max_iterations, .force_tolerance = options.force_tolerance});
     const std::vector<AtomIndex> tangled = tangled_atoms(positions, model.rebo2.graph(), model.running.team);
-    if (tangled.empty() || attempt == options.untangling_attempts) break;
-    const std::vector<AtomIndex> untangled =
-        untangle(positions, model.rebo2.graph(), surface, tangled, 3 + 2 * attempt);
-    result.untangled = untangled.size();
-    relax_untangled(model, surface, positions, untangled, options.max_iterations);
+    if (tangled.empty() || attempt == options.unknotting_attempts) break;
+    const std::vector<AtomIndex> unknotted =
+        unknot(positions, model.rebo2.graph(), surface, tangled, 3 + 2 * attempt);
+    result.unknotted = unknotted.size();
+    relax_unknotted(model, surface, positions, unknotted, options.max_iterations);
   }
 
   std::vector<Vec3> gradient(positions.size(), Vec3::Zero());

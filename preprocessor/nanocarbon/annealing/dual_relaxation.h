@@ -12,7 +12,7 @@ struct DualRelaxationOptions {
   double tether = 0.05;              //!< to the surface's tangent planes, eV/Angstrom^2
   int max_iterations = 400;          //!< of each stage
   double force_tolerance = 0.02;     //!< eV/Angstrom, of the REBO2 stage
-  unsigned untangling_attempts = 1;  //!< where bonds end up above 1.7 Angstrom or other pairs below 2.0
+  unsigned unknotting_attempts = 1;  //!< where bonds end up above 1.7 Angstrom or other pairs below 2.0
   bool free_mean = true;             //!< of the heights above the surface, see add_tether()
   bool springs_first = true;         //!< not needed where positions have been relaxed before
   Running running = {};
@@ -24,7 +24,7 @@ struct DualRelaxationResult {
   double shortest_bond = 0;     //!< Angstrom
   double longest_bond = 0;      //!< Angstrom
   double closest_unbonded = 0;  //!< Angstrom, see geometry_check.h
-  std::size_t untangled = 0;    //!< atoms in the last place that had to be untangled
+  std::size_t unknotted = 0;    //!< atoms in the last place that had to be unknotted
   double mean_distance = 0;     //!< of the atoms to the surface, Angstrom
 };
 

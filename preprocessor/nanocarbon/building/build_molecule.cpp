@@ -276,20 +276,24 @@ void tell(const BuildOptions& options, const std::string& fact) {
   if (options.tell) options.tell(fact);
 }
 
+// What comes of it with a number of atoms, or nothing where it does not hold.
+std::optional<BuildResult> built_with(std::size_t atoms, const TriangleMesh& surface, BuildOptions options) {
+  options.size = AtomCount{atoms};
+  try {
+    return build_once(surface, options);
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
 SizeSearch search_of(const TriangleMesh& surface, const BuildOptions& options) {
   BuildOptions draft = options;
   draft.quality = Quality::draft;
   draft.certify = draft.force = false;
   draft.tell = nullptr;
   draft.clock = nullptr;
-  const auto holds = [&surface, draft](std::size_t atoms) mutable {
-    draft.size = AtomCount{atoms};
-    try {
-      build_once(surface, draft);
-      return true;
-    } catch (const UserError&) {
-      return false;
-    }
+  const auto holds = [&surface, draft](std::size_t atoms) {
+    return built_with(atoms, surface, draft).has_value();
   };
   return {surface, options.bond_length, options.threads, holds};
 }
@@ -305,7 +309,9 @@ std::string advice_after(const TooFewAtoms& error, const TriangleMesh& surface, 
   // What has been tried and failed says more than the check: then larger ones are tried as well.
   const bool was_tried = error.failure() == Failure::failed;
   if (was_tried) search.largest_tried = std::max<std::size_t>(search.largest_tried, 5 * sized.atoms);
-  const double effort = std::max(10'000.0, 5.0 * static_cast<double>(sized.atoms));
+  const auto failed = static_cast<double>(sized.atoms);
+  // Not longer than the build itself, where that is large: one draft of a few more.
+  const double effort = std::max(1.3 * failed, std::clamp(5.0 * failed, 10'000.0, 40'000.0));
   return advice(next_size(search, error.report() ? atoms : 1.1 * atoms,
                           error.report() ? &*error.report() : nullptr, effort));
 }
@@ -324,12 +330,22 @@ double smallest_size(const TriangleMesh& surface, bool drop_specks) {
 BuildResult build_fitting(const TriangleMesh& surface, BuildOptions options) {
   constexpr int most_builds = 5;
   SizeSearch search = search_of(surface, options);
-  search.most_tries = 20;  // a cage of 60 is soon tried
+  search.most_tries = 20;                 // a cage of 60 is soon tried
+  search.largest_tried = largest_fit;     // a draft is soon made, and a whole build that fails is not
+  const double effort = 5 * largest_fit;  // atoms of drafts: about as long as one build of the largest takes
+  // Where a draft was asked for, the one that holds is it.
+  const bool is_draft = options.quality == Quality::draft && !options.certify && !options.force;
+  std::optional<BuildResult> made;
+  if (is_draft)
+    search.holds = [&](std::size_t atoms) {
+      made = built_with(atoms, surface, options);
+      return made.has_value();
+    };
   double from = smallest_size(surface, options.drop_specks);
   std::string last = "nothing was tried";
   for (int i = 0; i < most_builds; ++i) {
     tell(options, fmt::format("looking for the smallest size from {:.0f} atoms upwards", from));
-    const SizeFound found = next_size(search, from, nullptr, 40'000);
+    const SizeFound found = next_size(search, from, nullptr, effort);
     if (!found.atoms)
       throw UserError(
           Failure::size,
@@ -343,6 +359,7 @@ BuildResult build_fitting(const TriangleMesh& surface, BuildOptions options) {
               "the smallest number of atoms that leaves no feature too small is {}, and --atoms fit builds "
               "up to {}; ask for --atoms {}, or change the shape: thicker walls and wider gaps need fewer",
               *found.atoms, largest_fit, *found.atoms));
+    if (made) return *std::move(made);
     tell(options, fmt::format("building with {} atoms", *found.atoms));
     options.size = AtomCount{*found.atoms};
     try {

@@ -268,6 +268,7 @@ Json build_report(const BuildResult& result, const BuildOptions& options, const 
     report["likeness"] = {{"shape_radius", result.likeness->shape_radius},
                           {"distance_to_radius", result.likeness->distance_share},
                           {"sphere_to_radius", result.likeness->from_sphere / result.likeness->shape_radius},
+                          {"turned_away", result.likeness->turned_away},
                           {"expected_above_graphene", result.likeness->expected_energy},
                           {"above_graphene_to_expected", result.likeness->energy_share},
                           {"warnings", result.likeness->warnings()}};

@@ -8,9 +8,10 @@
 #include "nanocarbon/annealing/fixed_bond_model.h"
 #include "nanocarbon/annealing/geometry_check.h"
 #include "nanocarbon/annealing/surface_fit.h"
-#include "nanocarbon/annealing/untangle.h"
+#include "nanocarbon/annealing/unknot.h"
 #include "nanocarbon/building/annealing_schedules.h"
 #include "nanocarbon/building/potential_choice.h"
+#include "nanocarbon/building/pressed_watch.h"
 #include "nanocarbon/building/turn_components.h"
 #include "nanocarbon/mesh/periodic_mesh.h"
 #include "nanocarbon/molecule/hydrogens.h"
@@ -45,9 +46,10 @@ void part_hydrogens(Molecule& molecule) {
                                   {.force_tolerance = 0.1, .max_iterations = 200});
 }
 
-// Without the tether, first on fixed bonds: the way to the minimum may stretch bonds that the end does not.
+// Without the tether, first on fixed bonds: the way to the minimum may stretch bonds that the end does not. May give up
+// where another try follows that mends what is wrong with this one.
 Descent descend(const annealing::AnnealingLevel& level, const TriangleMesh& surface, double left,
-                potential::Potential& potential, const AnnealOptions& options) {
+                bool may_give_up, potential::Potential& potential, const AnnealOptions& options) {
   annealing::FixedBondModel model;
   model.running = options.running;
   model.rebo2.set_graph(annealing::fixed_bond_graph(level.state.network, level.state.space));
@@ -70,9 +72,12 @@ Descent descend(const annealing::AnnealingLevel& level, const TriangleMesh& surf
     if (molecule.size() > carbons && potential.unbonded_reach() > 0) part_hydrogens(molecule);
   }
   const bool strained = molecule.cell && options.relax_cell != minimisation::CellRelaxation::none;
-  const minimisation::MinimisationOptions wanted{
+  minimisation::MinimisationOptions wanted{
       .force_tolerance = (strained ? left_in_cell : 1.0) * options.force_tolerance,
       .team = options.running.team};
+  PressedWatch pressed(model.rebo2.graph(), options.running.team);
+  if (may_give_up && !molecule.cell && level.state.positions.size() >= least_large)
+    wanted.stop = [&](int iteration, std::span<const Vec3> x) { return pressed.for_good(iteration, x); };
   const minimisation::CellMinimum end =
       minimisation::minimise_in_cell(molecule, potential, options.relax_cell, wanted);
   return {std::move(molecule), end};
@@ -103,12 +108,14 @@ FinalMinimum final_minimum(annealing::AnnealingLevel level, const TriangleMesh& 
   if (options.progress) options.progress("minimising", 0);
   level.state.network.hydrogen = options.hydrogen;
   const bool alike = potential.unbonded_reach() == 0 && level.state.positions.size() >= least_large;
-  Descent descent = descend(level, surface, alike ? left_of_large : left_on_fixed_bonds, potential, options);
+  Descent descent =
+      descend(level, surface, alike ? left_of_large : left_on_fixed_bonds, true, potential, options);
   for (int mending = 0; mending < mendings && !descent.end.minimum.intact; ++mending) {
     level.sound = false;
     annealing::mend_level(level, annealing::TetherSurface(surface, 1), schedule_for(atoms, options),
                           unlike_bonds(descent.molecule));
-    descent = descend(level, surface, alike ? left_of_large : left_once_mended, potential, options);
+    descent = descend(level, surface, alike ? left_of_large : left_once_mended, mending + 1 < mendings,
+                      potential, options);
   }
   const minimisation::MinimisationResult& minimum = descent.end.minimum;
   FinalMinimum result;

@@ -75,6 +75,26 @@ double distance_from_sphere(const TriangleMesh& surface) {
   return deviation;
 }
 
+Vec3 normal_of(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const auto [a, b, c] = corners_of(mesh, mesh.triangles[triangle]);
+  return mesh::area_normal(a, b, c).normalized();
+}
+
+// Either side of the molecule will do: rings need not be wound as the surface is.
+double share_turned_away(const TriangleMesh& surface, const mesh::NearestPoint& to_surface,
+                         const TriangleMesh& rings) {
+  constexpr std::size_t samples = 5000;
+  constexpr double cosine = 0.5;
+  const std::vector<Vec3> places = mesh::sample_by_area(surface, samples);
+  const mesh::NearestPoint to_rings(rings);
+  std::size_t turned = 0;
+  for (const Vec3& place : places) {
+    const Vec3 own = normal_of(surface, to_surface.nearest(place).triangle);
+    turned += std::abs(own.dot(normal_of(rings, to_rings.nearest(place).triangle))) < cosine;
+  }
+  return places.empty() ? 0.0 : static_cast<double>(turned) / static_cast<double>(places.size());
+}
+
 bool beyond(double share, double share_limit, double value, double limit) {
   return share > share_limit && value > limit;
 }
@@ -138,6 +158,8 @@ bool Likeness::rounded() const {
   return from_sphere > roundness_share * shape_radius && distance() > roundness_to_warn * from_sphere;
 }
 
+bool Likeness::lacks_detail() const { return turned_away > turned_away_to_warn; }
+
 std::vector<std::string> Likeness::warnings() const {
   std::vector<std::string> told;
   if (beyond(distance_share, distance_share_to_warn, distance(), distance_to_warn))
@@ -147,6 +169,11 @@ std::vector<std::string> Likeness::warnings() const {
                    fmt::format(", where a sphere would lie {:.1f} A: with so few atoms it is "
                                "rounded off, and hardly has the shape",
                                from_sphere));
+  else if (lacks_detail())
+    told.push_back(
+        fmt::format("{:.0f}% of the surface faces another way than the molecule does there, by more than 60 "
+                    "degrees: detail of the shape, such as teeth or grooves, is lost; more atoms may show it",
+                    100 * turned_away));
   if (beyond(energy_share, energy_share_to_warn, energy, energy_to_warn))
     told.push_back(
         fmt::format("the molecule's energy is {:.0f} meV per atom above graphene, {:.1f} times the {:.0f} "
@@ -158,9 +185,13 @@ std::vector<std::string> Likeness::warnings() const {
 Likeness likeness(const Molecule& molecule, const TriangleMesh& surface, double energy, Boundary boundary) {
   Likeness result;
   result.shape_radius = std::sqrt(mesh::area(surface) / (4 * std::numbers::pi));
-  result.distance_there = mesh::distances_to_surface(molecule.positions, mesh::NearestPoint(surface)).mean;
+  const mesh::NearestPoint to_surface(surface);
+  result.distance_there = mesh::distances_to_surface(molecule.positions, to_surface).mean;
   const TriangleMesh rings = molecule::ring_mesh(molecule);
-  if (!rings.triangles.empty()) result.distance_back = mesh::distances_of_area(surface, rings).mean;
+  if (!rings.triangles.empty()) {
+    result.distance_back = mesh::distances_of_area(surface, rings).mean;
+    result.turned_away = share_turned_away(surface, to_surface, rings);
+  }
   result.from_sphere = distance_from_sphere(surface);
   result.distance_share = result.distance() / result.shape_radius;
   result.energy = energy;

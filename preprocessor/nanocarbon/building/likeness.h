@@ -24,6 +24,9 @@ inline constexpr double energy_share_to_refuse = 8.0, energy_to_refuse = 0.40;
 //! The larger mean distance over the shape's mean distance from a sphere: at 1 a sphere would be as like. Counts only where
 //! the shape is no sphere: where that is more than so much of its radius.
 inline constexpr double roundness_to_warn = 0.50, roundness_share = 0.05;
+//! Share of the surface that faces another way than the molecule does there. Of gears whose teeth became a smooth rim,
+//! 0.27 to 0.49; where teeth are there, up to 0.11, as of other shapes up to 0.13.
+inline constexpr double turned_away_to_warn = 0.20;
 //! @}
 
 //! How well a molecule has the shape of its surface.
@@ -33,18 +36,23 @@ struct Likeness {
   double distance_back = 0;   //!< mean distance of the surface from the molecule, Angstrom
   double distance_share = 0;  //!< the larger of them over the radius
   double from_sphere =
-      0;              //!< mean distance of the surface from a sphere about its middle, Angstrom; in cells 0
-  double energy = 0;  //!< above graphene, eV per atom
+      0;  //!< mean distance of the surface from a sphere about its middle, Angstrom; in cells 0
+  //! Share of the surface's area where the nearest place of the molecule is turned by more than 60 degrees: the sides of
+  //! teeth and grooves that it lacks. A rounded edge turns by half the edge's angle.
+  double turned_away = 0;
+  double energy = 0;           //!< above graphene, eV per atom
   double expected_energy = 0;  //!< of the surface above graphene, by expected_energy(), eV per atom
   double energy_share = 0;     //!< the energy over that
 
   double distance() const;  //!< the larger of the two, Angstrom
   //! "the atoms lie 2.0 A from the surface on average, 12% of ...": of the larger of the two distances.
   std::string distance_told() const;
-  bool far() const;       //!< above the second limit of distance
-  bool strained() const;  //!< above the second limit of energy
-  bool rounded() const;   //!< above the limit of roundness
-  //! A sentence for each first limit that is exceeded.
+  bool far() const;           //!< above the second limit of distance
+  bool strained() const;      //!< above the second limit of energy
+  bool rounded() const;       //!< above the limit of roundness
+  bool lacks_detail() const;  //!< above the limit of what is turned away
+  //! A sentence for the first limit of distance, roundness and what is turned away that is exceeded, and one for that of
+  //! energy.
   std::vector<std::string> warnings() const;
 };
 

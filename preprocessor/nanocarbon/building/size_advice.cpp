@@ -73,8 +73,9 @@ std::string advice(const SizeFound& found) {
         *found.atoms);
   if (found.atoms)
     return fmt::format(
-        "the next size that leaves no feature too small is --atoms {}; ask for that, or build anyway with "
-        "--force",
+        "the next size that leaves no feature too small is --atoms {}, of which no draft was made to see "
+        "whether "
+        "it holds; ask for that, or build anyway with --force",
         *found.atoms);
   return why_none(found) + "; build anyway with --force, or change the shape";
 }

@@ -88,20 +88,14 @@ MeshProblem problem_of(std::uint32_t first, std::uint32_t second, const MeshTopo
              : MeshProblem::components_intersect;
 }
 
-// Parts that touch in vertices and edges at the same places do not intersect there.
 void find_intersections(const PolygonSoup& soup, const CoincidentPoints& coincident,
                         const MeshTopology& topology, Findings& findings) {
   TriangleMesh mesh;
   mesh.points = soup.points;
   mesh.triangles.reserve(soup.faces());
-  const auto place = [&](VertexIndex v) { return coincident.representative[v]; };
   for (std::size_t face = 0; face < soup.faces(); ++face)
-    mesh.triangles.push_back(
-        {place(soup.face(face)[0]), place(soup.face(face)[1]), place(soup.face(face)[2])});
-  SelfIntersections found = self_intersections(mesh);
-  for (std::size_t face = 0; face < soup.faces(); ++face)
-    mesh.triangles[face] = {soup.face(face)[0], soup.face(face)[1], soup.face(face)[2]};
-  add_crossings_in_edges(mesh, coincident.representative, found);
+    mesh.triangles.push_back({soup.face(face)[0], soup.face(face)[1], soup.face(face)[2]});
+  const SelfIntersections found = crossings(mesh, coincident.representative);
   for (const MeshProblem problem : kinds_of_intersection)
     for (const auto& [first, second] : found.pairs)
       if (problem_of(first, second, topology) == problem)

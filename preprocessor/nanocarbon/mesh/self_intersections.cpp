@@ -190,6 +190,15 @@ void add_crossings_in_edges(const TriangleMesh& mesh, std::span<const VertexInde
   sort_pairs(found);
 }
 
+SelfIntersections crossings(const TriangleMesh& mesh, std::span<const VertexIndex> same_place) {
+  TriangleMesh joined = mesh;
+  for (Triangle& triangle : joined.triangles)
+    for (VertexIndex& v : triangle) v = same_place[v];
+  SelfIntersections found = self_intersections(joined);
+  add_crossings_in_edges(mesh, same_place, found);
+  return found;
+}
+
 std::vector<VertexIndex> first_at_place(const TriangleMesh& mesh) {
   DisjointSets places(mesh.points.size());
   if (mesh.space.periodic()) {

@@ -17,7 +17,7 @@ struct SelfIntersections {
   //! In a periodic cell, of each pair: by which translation the first must be moved to meet the second, with the first
   //! corner of either where the mesh has it. Empty in free space.
   std::vector<Vec3> moved;
-  bool complete = true;                             //!< false where the search was given up
+  bool complete = true;  //!< false where the search was given up
 };
 
 //! \brief Finds all pairs of triangles that intersect.
@@ -31,7 +31,13 @@ SelfIntersections self_intersections(const TriangleMesh& mesh);
 //! \brief Adds where parts of a mesh pass through each other along edges that lie upon each other: no triangle of one
 //! meets the inside of another there.
 //! \param same_place of each vertex one that stands for all at its place, in a cell that of images too
-void add_crossings_in_edges(const TriangleMesh& mesh, std::span<const VertexIndex> same_place, SelfIntersections& found);
+void add_crossings_in_edges(const TriangleMesh& mesh, std::span<const VertexIndex> same_place,
+                            SelfIntersections& found);
+
+//! \brief Pairs of triangles of a mesh in free space that pass through each other: both of the above. Parts that touch in
+//! vertices and edges at the same places do not.
+//! \param same_place of each vertex one that stands for all at its place
+SelfIntersections crossings(const TriangleMesh& mesh, std::span<const VertexIndex> same_place);
 
 //! Of each vertex of a mesh in a cell the first at its place or an image of it, up to rounding.
 std::vector<VertexIndex> first_at_place(const TriangleMesh& mesh);

@@ -54,11 +54,13 @@ MinimisationResult minimise_molecule(Molecule& molecule, potential::Potential& p
                            multilevel::bonded_atoms(molecule.size(), molecule.bonds), options.team);
     preconditioner->renew(molecule.positions);
   }
-  const LbfgsResult relaxed = minimise_lbfgs(molecule.positions, energy_of(molecule, potential),
-                                             {.max_iterations = options.max_iterations,
-                                              .force_tolerance = options.force_tolerance,
-                                              .preconditioner = preconditioner ? &*preconditioner : nullptr,
-                                              .team = options.team});
+  LbfgsOptions lbfgs{.max_iterations = options.max_iterations,
+                     .force_tolerance = options.force_tolerance,
+                     .preconditioner = preconditioner ? &*preconditioner : nullptr,
+                     .team = options.team};
+  if (options.stop)
+    lbfgs.stop = [&](int iteration, double, std::span<const Vec3> x) { return options.stop(iteration, x); };
+  const LbfgsResult relaxed = minimise_lbfgs(molecule.positions, energy_of(molecule, potential), lbfgs);
   return {relaxed.energy, relaxed.max_force, relaxed.iterations, relaxed.converged,
           bonds_are_those_seen(molecule, potential.bond_cutoffs())};
 }

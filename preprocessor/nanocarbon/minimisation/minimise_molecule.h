@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "nanocarbon/minimisation/lbfgs.h"
 #include "nanocarbon/molecule/molecule.h"
 #include "nanocarbon/potential/potential.h"
@@ -12,6 +15,8 @@ struct MinimisationOptions {
   //! Enough for 1e-6 eV/Angstrom: 10,000 atoms with modes down to 1e-4 eV/Angstrom^2 took 5,000 to 7,000.
   int max_iterations = 20000;
   ThreadTeam* team = nullptr;  //!< of all but the potential; may be null
+  //! Asked after each iteration; true ends the minimisation early. May be empty.
+  std::function<bool(int iteration, std::span<const Vec3> positions)> stop = {};
 };
 
 struct MinimisationResult {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -78,6 +80,19 @@ void expect_mended(const TriangleMesh& mesh) {
 
 TEST(Untangle, AVertexThatWasPushedThroughTheOtherSide) { expect_mended(pierced_ball()); }
 
+// Of large triangles: the cap that is put where the vertex was lies an edge away from what is left, which is more than a
+// twentieth of the ball.
+TEST(Untangle, AVertexThatWasPushedThroughTheOtherSideOfACoarseBall) {
+  const TriangleMesh coarse = shapes::make_sphere(1.0, 5);
+  const TriangleMesh pierced = moved_vertex(coarse, Vec3(0, 0, 1), Vec3(0.01, 0.02, -1.3));
+  const double twentieth = 0.05 * bounding_box(pierced.points).diagonal();
+  const Untangled untangled = untangle(pierced);
+  EXPECT_GT(untangled.to_original, twentieth);
+  EXPECT_LT(untangled.to_original, edge_lengths(coarse).max * 1.5);
+  EXPECT_THAT(self_intersections(untangled.mesh).pairs, IsEmpty());
+  EXPECT_NEAR(signed_volume(untangled.mesh), signed_volume(coarse), 0.1 * signed_volume(coarse));
+}
+
 TEST(Untangle, SpikesThatCross) { expect_mended(ball_with_crossing_spikes()); }
 
 TEST(Untangle, AFold) { expect_mended(folded_ball()); }
@@ -94,6 +109,37 @@ TEST(Untangle, NothingElseChanges) {
   EXPECT_EQ(sound.mesh.points, inner.points);
   EXPECT_EQ(sound.mesh.triangles, inner.triangles);
   EXPECT_EQ(describe(sound), "untangled nothing: no piece crosses itself");
+}
+
+using Corners = std::array<std::array<double, 3>, 3>;
+
+std::set<Corners> faces_of(const TriangleMesh& mesh) {
+  std::set<Corners> faces;
+  for (const Triangle& t : mesh.triangles) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = {mesh.points[t[k]].x(), mesh.points[t[k]].y(), mesh.points[t[k]].z()};
+    std::sort(corners.begin(), corners.end());
+    faces.insert(corners);
+  }
+  return faces;
+}
+
+// Faults in two places, which are mended in their surroundings alone: whatever is not told as replaced is still there.
+TEST(Untangle, WhatIsNotReplacedStays) {
+  TriangleMesh ball = shapes::make_sphere(1.0, 40);
+  for (const Vec3& at : {Vec3(0, 0, 1), Vec3(1, 0, 0)})
+    std::swap(ball.points[nearest_vertex(ball, at)],
+              ball.points[nearest_vertex(ball, (at + Vec3(0.03, 0.03, 0.02)).normalized())]);
+  const Untangled untangled = untangle(ball);
+  EXPECT_GT(untangled.crossings, 0u);
+  EXPECT_THAT(self_intersections(untangled.mesh).pairs, IsEmpty());
+  EXPECT_EQ(test::closed_surface(untangled.mesh).genus, 0);
+  const std::set<Corners> before = faces_of(ball), after = faces_of(untangled.mesh);
+  std::size_t kept = 0;
+  for (const Corners& face : before) kept += after.count(face);
+  EXPECT_EQ(kept, before.size() - untangled.replaced);
+  EXPECT_LT(untangled.replaced, before.size() / 100);
 }
 
 // Boundaries stay open.

@@ -123,6 +123,9 @@ TEST(Wrap, HairsAreLeftOutAndToldButThinTrianglesOfASurfaceAreNot) {
   const Wrapped bald = wrap(hairy, wrap_size(0.2));
   EXPECT_EQ(bald.hairs, 5u);
   EXPECT_THAT(describe(bald, wrap_size(0.2)), HasSubstr("left out 5 hairs"));
+  // The hairs lie far from the wrap; what is told is true of the others.
+  EXPECT_THAT(describe(bald, wrap_size(0.2)), HasSubstr("and the rest of the mesh nowhere farther"));
+  EXPECT_LT(bald.from_original, 0.1);
   EXPECT_EQ(test::closed_surface(bald.mesh).genus, 0);
   for (const Vec3& p : bald.mesh.points) EXPECT_LT(p.norm(), 1.05);
 
@@ -143,6 +146,7 @@ TEST(Wrap, HairsAreLeftOutAndToldButThinTrianglesOfASurfaceAreNot) {
   }
   const Wrapped whole = wrap(drum, {0.4, 0.04});
   EXPECT_EQ(whole.hairs, 0u);
+  EXPECT_THAT(describe(whole, {0.4, 0.04}), HasSubstr("and the mesh nowhere farther"));
   EXPECT_NEAR(signed_volume(whole.mesh), 6 * M_PI, 0.1 * 6 * M_PI);
 }
 

@@ -26,8 +26,8 @@ std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const Fixe
 //! in its tangent plane, while those beyond are held: in a flat disc no crossing survives that (Tutte 1963).
 //! The bonds come out too short and uneven; springs must follow.
 //! \return atoms moved
-std::vector<AtomIndex> untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph,
-                                const TetherSurface& surface, std::span<const AtomIndex> around,
-                                unsigned radius);
+std::vector<AtomIndex> unknot(std::vector<Vec3>& positions, const FixedBondGraph& graph,
+                              const TetherSurface& surface, std::span<const AtomIndex> around,
+                              unsigned radius);
 
 }  // namespace nanocarbon::annealing

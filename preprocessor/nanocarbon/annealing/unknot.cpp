@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "nanocarbon/annealing/untangle.h"
+#include "nanocarbon/annealing/unknot.h"
 
 #include <algorithm>
 
@@ -30,9 +30,9 @@ std::vector<AtomIndex> tangled_atoms(std::span<const Vec3> positions, const Fixe
   return tangled;
 }
 
-std::vector<AtomIndex> untangle(std::vector<Vec3>& positions, const FixedBondGraph& graph,
-                                const TetherSurface& surface, std::span<const AtomIndex> around,
-                                unsigned radius) {
+std::vector<AtomIndex> unknot(std::vector<Vec3>& positions, const FixedBondGraph& graph,
+                              const TetherSurface& surface, std::span<const AtomIndex> around,
+                              unsigned radius) {
   std::vector<AtomIndex> region(around.begin(), around.end());
   std::vector<bool> inside(positions.size(), false);
   for (const AtomIndex a : region) inside[a] = true;
