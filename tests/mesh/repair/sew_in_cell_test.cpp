@@ -478,6 +478,21 @@ TEST(SewInCell, SaysWhereABoundaryHasNoPartner) {
   }
 }
 
+// Of a cell that is sheared where the mesh is not, whatever sewing fails by.
+TEST(SewInCell, AsksWhetherACellWithOtherAnglesIsRight) {
+  for (const double shear : {0.05, 0.1, 0.2})
+    for (const int along : {0, 1}) {
+      Cell cell = unit_cell;
+      cell.vectors(along, 1 - along) = shear;
+      try {
+        sew_in_cell(sheet(12, 12), cell);
+        ADD_FAILURE() << shear << " " << along;
+      } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what()).find("is the cell right"), std::string::npos) << error.what();
+      }
+    }
+}
+
 // A vertex far away makes all other edges short, and what is sound looks like specks.
 TEST(SewInCell, NothingSoundIsDroppedAsSpecks) {
   TriangleMesh cut = unfolded(minimal(shapes::MinimalSurface::Kind::schwarz_p)).mesh;

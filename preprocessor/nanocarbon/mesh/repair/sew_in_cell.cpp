@@ -385,8 +385,9 @@ class Sewing {
           return index[a] == index[b] ? (mesh_.points[a] - mesh_.points[b]).norm() : 0.0;
         };
         if (std::max({apart(0), apart(1), apart(2)}) <= 4 * tolerance_) continue;
-        fail(fmt::format("the triangle at {} meets itself across the cell", place(mesh_.points[t[0]])),
-             "treat several cells as one (--cells 2), or give a finer mesh");
+        fail(fmt::format("two corners of the triangle at {} would be images of the same point",
+                         place(mesh_.points[t[0]])),
+             "is the cell right, its angles too? If it is, give a finer mesh");
       }
       sewn.triangles.push_back(corners);
     }
