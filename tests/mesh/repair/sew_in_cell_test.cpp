@@ -416,19 +416,26 @@ TEST(SewInCell, MeetsBoundariesWithOtherVertices) {
       }
 }
 
+// A sheet from one column of twelfths of the cell to another, 1 wide, that repeats itself along x.
+TriangleMesh columns_of_a_sheet(int first, int last) {
+  TriangleMesh mesh;
+  const int columns = last - first;
+  for (int j = 0; j <= 12; ++j)
+    for (int i = first; i <= last; ++i)
+      mesh.points.push_back({i / 12.0, j / 12.0, 0.05 * std::sin(2 * M_PI * i / 12.0)});
+  for (int j = 0; j < 12; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const auto at = [&](int a, int b) { return static_cast<VertexIndex>(b * (columns + 1) + a); };
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return mesh;
+}
+
 // Grids that are padded to be periodic, and files of several cells.
 TEST(SewInCell, DropsWhatIsThereTwice) {
   for (const int columns : {13, 18, 24, 36}) {
-    TriangleMesh mesh;
-    for (int j = 0; j <= 12; ++j)
-      for (int i = 0; i <= columns; ++i)
-        mesh.points.push_back({i / 12.0, j / 12.0, 0.05 * std::sin(2 * M_PI * i / 12.0)});
-    for (int j = 0; j < 12; ++j)
-      for (int i = 0; i < columns; ++i) {
-        const auto at = [&](int a, int b) { return static_cast<VertexIndex>(b * (columns + 1) + a); };
-        mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-        mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-      }
+    TriangleMesh mesh = columns_of_a_sheet(0, columns);
     const SewnSurface sewn = sew_in_cell(mesh, unit_cell);
     EXPECT_EQ(sewn.mesh.points.size(), 144u) << columns;
     EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << columns;
@@ -446,17 +453,7 @@ TEST(SewInCell, DropsCopiesOnEitherSideOfTheCell) {
   };
   for (const Range range :
        {Range{-1, 12}, {-12, 12}, {-1, 13}, {-6, 6}, {-6, 7}, {-7, 6}, {-15, 4}, {18, 31}}) {
-    TriangleMesh mesh;
-    const int columns = range.last - range.first;
-    for (int j = 0; j <= 12; ++j)
-      for (int i = range.first; i <= range.last; ++i)
-        mesh.points.push_back({i / 12.0, j / 12.0, 0.05 * std::sin(2 * M_PI * i / 12.0)});
-    for (int j = 0; j < 12; ++j)
-      for (int i = 0; i < columns; ++i) {
-        const auto at = [&](int a, int b) { return static_cast<VertexIndex>(b * (columns + 1) + a); };
-        mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-        mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-      }
+    TriangleMesh mesh = columns_of_a_sheet(range.first, range.last);
     const SewnSurface sewn = sew_in_cell(mesh, unit_cell);
     EXPECT_EQ(sewn.mesh.points.size(), 144u) << range.first;
     EXPECT_TRUE(mesh_topology(sewn.mesh).closed()) << range.first;
@@ -479,6 +476,21 @@ TEST(SewInCell, SaysWhereABoundaryHasNoPartner) {
     EXPECT_EQ(error.failure(), Failure::unsuitable);
     EXPECT_NE(std::string(error.what()).find("boundary vertices"), std::string::npos) << error.what();
   }
+}
+
+// Of a cell that is sheared where the mesh is not, whatever sewing fails by.
+TEST(SewInCell, AsksWhetherACellWithOtherAnglesIsRight) {
+  for (const double shear : {0.05, 0.1, 0.2})
+    for (const int along : {0, 1}) {
+      Cell cell = unit_cell;
+      cell.vectors(along, 1 - along) = shear;
+      try {
+        sew_in_cell(sheet(12, 12), cell);
+        ADD_FAILURE() << shear << " " << along;
+      } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what()).find("is the cell right"), std::string::npos) << error.what();
+      }
+    }
 }
 
 // A vertex far away makes all other edges short, and what is sound looks like specks.

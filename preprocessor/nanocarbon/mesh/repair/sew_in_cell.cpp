@@ -12,12 +12,12 @@
 
 #include "nanocarbon/core/disjoint_sets.h"
 #include "nanocarbon/core/error.h"
-#include "nanocarbon/core/neighbours_within.h"
 #include "nanocarbon/mesh/edge_table.h"
 #include "nanocarbon/mesh/measures.h"
 #include "nanocarbon/mesh/mesh_topology.h"
 #include "nanocarbon/mesh/repair/match_images.h"
 #include "nanocarbon/mesh/repair/merge_close_vertices.h"
+#include "nanocarbon/mesh/repair/place_cell.h"
 #include "nanocarbon/mesh/repair/zip_seams.h"
 #include "nanocarbon/mesh/winding.h"
 
@@ -68,7 +68,8 @@ class Sewing {
   }
 
   SewnSurface run() {
-    place_cell();
+    const std::size_t copies = place_cell(mesh_, cell_, tolerance_, same_line * mean_edge_);
+    if (copies > 0) note(fmt::format("dropped faces beyond the cell that are images of others: {}", copies));
     drop_caps();
     split_long_edges();
     return first_that_works();
@@ -134,74 +135,6 @@ class Sewing {
   }
   bool in_face(const Vec3& p, int face, double within) const {
     return std::abs(fractional(p)[face / 2] - face % 2) * face_distances(cell())[face / 2] < within;
-  }
-
-  // A cell that the mesh was cut at elsewhere is moved there, for the time of sewing: any cell of the lattice will do. What is
-  // there a second time is dropped: grids padded on either side, files of several cells.
-  void place_cell() {
-    const Vec3 heights = face_distances(cell());
-    std::size_t copies = 0;
-    for (int d = 0; d < 3; ++d) {
-      if (!periodic(d)) continue;
-      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-      for (const Triangle& t : mesh_.triangles)
-        for (const VertexIndex v : t) {
-          const double at = fractional(mesh_.points[v])[d];
-          lowest = std::min(lowest, at);
-          highest = std::max(highest, at);
-        }
-      if (lowest * heights[d] > -tolerance_ && (highest - 1) * heights[d] < tolerance_) continue;
-      const double near = same_line * mean_edge_ / heights[d], middle = 0.5 * (lowest + highest - 1);
-      if (std::abs(highest - lowest - 1) < near) {
-        if (std::abs(middle) > near) move_cell(d, middle);
-        continue;
-      }
-      for (const double from : {0.0, lowest, highest - 1}) {
-        const std::size_t dropped = drop_copies(d, from);
-        if (dropped == 0) continue;
-        move_cell(d, from);
-        copies += dropped;
-        break;
-      }
-    }
-    if (copies > 0) note(fmt::format("dropped faces beyond the cell that are images of others: {}", copies));
-  }
-
-  void move_cell(int d, double by) { cell_.origin += by * cell_.vectors.col(d); }
-
-  // Faces outside the cell if it began there along an edge of its; none, if one of them is no image of a
-  // face inside. Corners do not tell: of a mesh that holds every face once, those beyond have theirs inside, too.
-  std::size_t drop_copies(int d, double from) {
-    const double height = face_distances(cell())[d];
-    std::vector<bool> beyond(mesh_.triangles.size(), false);
-    std::vector<Vec3> centres;
-    std::size_t copies = 0;
-    for (std::size_t t = 0; t < beyond.size(); ++t) {
-      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-      Vec3 centre = Vec3::Zero();
-      for (const VertexIndex v : mesh_.triangles[t]) {
-        const double at = (fractional(mesh_.points[v])[d] - from) * height;
-        lowest = std::min(lowest, at);
-        highest = std::max(highest, at);
-        centre += mesh_.points[v] / 3;
-      }
-      const bool above = lowest > height - tolerance_ && highest > height + tolerance_,
-                 below = highest < tolerance_ && lowest < -tolerance_;
-      beyond[t] = above || below;
-      copies += beyond[t];
-      centres.push_back(centre);
-    }
-    if (copies == 0) return 0;
-    const NeighbourList same = neighbours_within(centres, &cell(), tolerance_);
-    for (std::size_t t = 0; t < beyond.size(); ++t) {
-      const auto images = same.of(t);
-      if (beyond[t] &&
-          std::all_of(images.begin(), images.end(), [&](const Neighbour& n) { return bool(beyond[n.atom]); }))
-        return 0;
-    }
-    std::size_t next = 0;
-    std::erase_if(mesh_.triangles, [&](const Triangle&) { return beyond[next++]; });
-    return copies;
   }
 
   void drop_caps() {
@@ -347,19 +280,25 @@ class Sewing {
     return -1;
   }
 
-  void require_partners() const {
-    // Lines along one face, with what has no counterpart in them: parts shorter than an edge, of the mesh and of the
-    // boundary there, are rounded corners of holes.
+  // Vertices of the boundary that the cell's faces cut, and those of them without a counterpart.
+  struct CutBoundary {
+    std::vector<bool> in_face, lonely;
+  };
+
+  // Lines along one face, with what has no counterpart in them: parts shorter than an edge, of the mesh and of the
+  // boundary there, are rounded corners of holes.
+  CutBoundary cut_boundary() const {
     std::vector<DisjointSets> lines(6, DisjointSets(mesh_.points.size()));
     std::vector<std::pair<BoundaryEdge, int>> cut;
-    std::vector<bool> in_face(mesh_.points.size(), false), lonely(mesh_.points.size(), false);
+    CutBoundary found{std::vector<bool>(mesh_.points.size(), false),
+                      std::vector<bool>(mesh_.points.size(), false)};
     std::array<double, 6> longest{};  // of the boundary's edges in each face
     for (const BoundaryEdge& edge : boundary_edges(mesh_)) {
       const int face = cut_by(edge);
       if (face < 0) continue;
-      in_face[edge.from] = in_face[edge.to] = true;
+      found.in_face[edge.from] = found.in_face[edge.to] = true;
       double& here = longest[static_cast<std::size_t>(face)];
-      here = std::max(here, (mesh_.points[edge.to] - mesh_.points[edge.from]).norm());
+      here = std::max(here, length_of(edge));
       if (!partner_[edge.from].empty() && !partner_[edge.to].empty()) continue;
       cut.emplace_back(edge, face);
       // Others are where a line ends.
@@ -371,17 +310,18 @@ class Sewing {
       const VertexIndex v = partner_[c.first.from].empty() ? c.first.from : c.first.to;
       return std::pair(c.second, lines[static_cast<std::size_t>(c.second)].find(v));
     };
-    for (const auto& c : cut)
-      lengths[line_of(c)] += (mesh_.points[c.first.to] - mesh_.points[c.first.from]).norm();
+    for (const auto& c : cut) lengths[line_of(c)] += length_of(c.first);
     for (const auto& c : cut)
       if (lengths[line_of(c)] > std::min(mean_edge_, longest[static_cast<std::size_t>(c.second)]))
-        for (const VertexIndex v : {c.first.from, c.first.to}) lonely[v] = partner_[v].empty();
-    const auto missing = std::count(lonely.begin(), lonely.end(), true),
-               in_faces = std::count(in_face.begin(), in_face.end(), true);
-    const auto first =
-        static_cast<VertexIndex>(std::find(lonely.begin(), lonely.end(), true) - lonely.begin());
-    if (missing == 0) return;
-    const Vec3& p = mesh_.points[first];
+        for (const VertexIndex v : {c.first.from, c.first.to}) found.lonely[v] = partner_[v].empty();
+    return found;
+  }
+  double length_of(const BoundaryEdge& edge) const {
+    return (mesh_.points[edge.to] - mesh_.points[edge.from]).norm();
+  }
+
+  // The image of the boundary, of another place, that is nearest to a point of it.
+  std::string nearest_image(const Vec3& p) const {
     double nearest = std::numeric_limits<double>::infinity();
     Vec3 where = p;
     for (const VertexIndex v : boundary_) {
@@ -390,18 +330,23 @@ class Sewing {
       nearest = there.norm();
       where = mesh_.points[v];
     }
-    const std::string how_far =
-        std::isfinite(nearest)
-            ? fmt::format("the nearest image of the boundary is {:.3g} mean edges from it, of {}",
-                          nearest / mean_edge_, place(where))
-            : "there is no boundary at the opposite face";
+    if (!std::isfinite(nearest)) return "there is no boundary at the opposite face";
+    return fmt::format("the nearest image of the boundary is {:.3g} mean edges from it, of {}",
+                       nearest / mean_edge_, place(where));
+  }
+
+  void require_partners() const {
+    const CutBoundary cut = cut_boundary();
+    const auto first = std::find(cut.lonely.begin(), cut.lonely.end(), true);
+    if (first == cut.lonely.end()) return;
+    const Vec3& p = mesh_.points[static_cast<std::size_t>(first - cut.lonely.begin())];
     fail(fmt::format(
              "{} of {} boundary vertices in the faces of the cell have no counterpart in the opposite face; "
              "the first is at {}: {}",
-             missing, in_faces, place(p), how_far),
+             std::count(cut.lonely.begin(), cut.lonely.end(), true),
+             std::count(cut.in_face.begin(), cut.in_face.end(), true), place(p), nearest_image(p)),
          "is the cell right? Is a part of the surface missing? Cut the surface by the cell's faces alone, or "
-         "give "
-         "--cell and --periodic");
+         "give --cell and --periodic");
   }
 
   void identify() {
@@ -440,8 +385,9 @@ class Sewing {
           return index[a] == index[b] ? (mesh_.points[a] - mesh_.points[b]).norm() : 0.0;
         };
         if (std::max({apart(0), apart(1), apart(2)}) <= 4 * tolerance_) continue;
-        fail(fmt::format("the triangle at {} meets itself across the cell", place(mesh_.points[t[0]])),
-             "treat several cells as one (--cells 2), or give a finer mesh");
+        fail(fmt::format("two corners of the triangle at {} would be images of the same point",
+                         place(mesh_.points[t[0]])),
+             "is the cell right, its angles too? If it is, give a finer mesh");
       }
       sewn.triangles.push_back(corners);
     }
