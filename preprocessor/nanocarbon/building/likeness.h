@@ -25,7 +25,7 @@ inline constexpr double energy_share_to_refuse = 8.0, energy_to_refuse = 0.40;
 //! the shape is no sphere: where that is more than so much of its radius.
 inline constexpr double roundness_to_warn = 0.50, roundness_share = 0.05;
 //! Share of the surface that faces another way than the molecule does there. Of gears whose teeth became a smooth rim,
-//! 0.27 to 0.49; where teeth are there, up to 0.11, as of other shapes up to 0.13.
+//! 0.26 to 0.47; where teeth are there, 0.08, as of other shapes up to 0.13.
 inline constexpr double turned_away_to_warn = 0.20;
 //! @}
 
