@@ -67,6 +67,24 @@ TEST(CrystalFiles, GuessesNoOrigin) {
   EXPECT_EQ(read(cif(cell(5, 5, 5, 70, 70, 70), group, "C1 C 0 0 0 1\n")).molecule.size(), 1u);
 }
 
+// A screw without an axis is no operation; whatever else is said of the group does not make up for it.
+TEST(CrystalFiles, ScrewsOfAHallSymbolHaveAnAxis) {
+  const std::string cubic = cell(5, 5, 5, 90, 90, 90);
+  for (const char* hall : {"F 2d\"2 3 -1d", "P 2\"1", "P 2 12", "P 3*1", "P 2 2 11", "-"}) {
+    const std::string group = std::string("_space_group_name_Hall '") + hall + "'\n";
+    EXPECT_THAT(error_of(cif(cubic, group + "_space_group_name_H-M_alt 'P 1'\n", "C1 C 0 0 0 1\n")),
+                HasSubstr("is not known"))
+        << hall;
+  }
+  for (const auto& [hall, atoms] : std::vector<std::pair<std::string, std::size_t>>{
+           {"P 41", 4}, {"P 21xa", 2}, {"-P 4n 2n (0 0 0)", 16}, {"P 31 2 (0 0 4)", 6}})
+    EXPECT_EQ(read(cif(cell(5, 5, 5, 90, 90, hall[2] == '3' ? 120 : 90),
+                       "_space_group_name_Hall '" + hall + "'\n", "C1 C 0.11 0.23 0.37 1\n"))
+                  .molecule.size(),
+              atoms)
+        << hall;
+}
+
 // Graphite, P6_3/mmc by its listed operations and rounded thirds: 4 atoms with three neighbours each.
 TEST(CrystalFiles, GraphiteByListedOperations) {
   const std::string operations =

@@ -10,6 +10,8 @@
 #include <gemmi/symmetry.hpp>
 #include <initializer_list>
 #include <numbers>
+#include <stdexcept>
+#include <string_view>
 
 #include "nanocarbon/core/error.h"
 #include "nanocarbon/core/space.h"
@@ -84,6 +86,28 @@ Operation operation_of(const Block& block, const std::string& text) {
   block.fail(fmt::format("'{}' is not a symmetry operation (such as x, y+1/2, -z)", shown(text)));
 }
 
+// Whether each part of a Hall symbol with a screw axis says along which axis it is, as the first one need not. Where it
+// does not, gemmi::symops_from_hall() (0.5 to 0.6) writes beside an array.
+bool screws_have_axes(std::string_view hall) {
+  constexpr std::string_view blanks = " \t_";
+  hall = hall.substr(0, hall.find('('));
+  const std::size_t lattice = hall.find_first_not_of(" \t-");
+  if (lattice == std::string_view::npos) return false;
+  hall.remove_prefix(lattice + 1);
+  for (bool first = true;; first = false) {
+    const std::size_t begin = hall.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return true;
+    std::string_view part = hall.substr(begin);
+    part = part.substr(0, part.find_first_of(blanks));
+    hall.remove_prefix(begin + part.size());
+    if (part.front() == '-') part.remove_prefix(1);
+    const bool is_screw = part.find_first_of("12345", 1) != std::string_view::npos;
+    const bool is_diagonal = part.find_first_of("'\"*") != std::string_view::npos;
+    const bool has_axis = part.find_first_of("xyz") != std::string_view::npos || (first && !is_diagonal);
+    if (is_screw && !has_axis) return false;
+  }
+}
+
 std::vector<Operation> operations_of(const Block& block, std::vector<std::string>& warnings) {
   std::vector<Operation> operations;
   for (const char* tag : {"_space_group_symop_operation_xyz", "_symmetry_equiv_pos_as_xyz",
@@ -104,6 +128,7 @@ std::vector<Operation> operations_of(const Block& block, std::vector<std::string
   const std::string name = block.value({"_space_group_name_h-m_alt", "_symmetry_space_group_name_h-m"});
   bool origin_is_open = false;
   try {
+    if (!hall.empty() && !screws_have_axes(hall)) throw std::invalid_argument("no axis");
     if (!hall.empty()) return all(gemmi::symops_from_hall(hall.c_str()));
     const bool is_number = name.find_first_not_of("0123456789 ") == std::string::npos;
     const double alpha = cif_number(block.value({"_cell_angle_alpha"})),
