@@ -175,6 +175,9 @@ TEST(Isosurface, WhatCannotBeMadeIsSaidSo) {
               HasSubstr("a.cube:7: the number of an atom 'x'"));
   EXPECT_THAT(malformed(test::mrc_bytes(ball()).substr(0, 5000)),
               HasSubstr("the file ends after 994 of 9261 values"));
+  map = test::mrc_bytes(ball());
+  map.replace(64, 12, std::string("\0\0\0\x80\2\0\0\0\2\0\0\0", 12));
+  EXPECT_THAT(malformed(map), HasSubstr("the axes of the map are -2147483648, 2 and 2"));
 }
 
 // Two orbitals in one file, their values in turn.

@@ -73,12 +73,13 @@ class Reader {
 
   // Which of the cell's edges the columns, rows and sections of the file run along.
   std::array<int, 3> axes() const {
-    std::array<int, 3> axis = {integer(64) - 1, integer(68) - 1, integer(72) - 1};
-    if (axis == std::array{-1, -1, -1}) return {0, 1, 2};
-    std::array<int, 3> sorted = axis;
+    std::array<std::int32_t, 3> axis = {integer(64), integer(68), integer(72)};
+    if (axis == std::array{0, 0, 0}) return {0, 1, 2};
+    std::array<std::int32_t, 3> sorted = axis;
     std::sort(sorted.begin(), sorted.end());
-    if (sorted != std::array{0, 1, 2})
-      fail(64, fmt::format("the axes of the map are {}, {} and {}", axis[0] + 1, axis[1] + 1, axis[2] + 1));
+    if (sorted != std::array{1, 2, 3})
+      fail(64, fmt::format("the axes of the map are {}, {} and {}", axis[0], axis[1], axis[2]));
+    for (std::int32_t& a : axis) --a;
     return axis;
   }
 
