@@ -43,7 +43,7 @@ void PairReboOpt::compute(int eflag, int vflag) {
   if (needs_virials) shares.virials = start_virials();
   const double energy = evaluation_->evaluate(atoms(), near(), atom->f[0], shares).total();
   // The fast loops for sp2 carbon watch near pairs each step, the others hardly notice them.
-  margin = evaluation_->uses_lanes() ? 1.2 : 0.4;
+  margin = evaluation_->uses_lanes() ? 0.7 : 0.4;
   std::fill_n(pvector, 3, 0.0);
   if (eflag) pvector[0] = energy;
   if (eflag_global) eng_vdwl += energy;
