@@ -243,8 +243,7 @@ void add_formula(CLI::App& mesh) {
       ->capture_default_str();
   sub.add_option("--edge", surface.edge,
                  "Length of the edges of its triangles, mesh units; by default a 25th of the shortest "
-                 "period, or less where parts of the "
-                 "surface would run into each other")
+                 "period, or less where parts of the surface would run into each other")
       ->check(above_zero());
 }
 

@@ -74,8 +74,7 @@ std::string advice(const SizeFound& found) {
   if (found.atoms)
     return fmt::format(
         "the next size that leaves no feature too small is --atoms {}, of which no draft was made to see "
-        "whether "
-        "it holds; ask for that, or build anyway with --force",
+        "whether it holds; ask for that, or build anyway with --force",
         *found.atoms);
   return why_none(found) + "; build anyway with --force, or change the shape";
 }

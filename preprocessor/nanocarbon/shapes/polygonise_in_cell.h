@@ -19,6 +19,7 @@ TriangleMesh polygonise_in_cell(const ImplicitShape& shape, const Cell& cell, do
                                 const ImplicitSlope& slope = {});
 
 //! \brief The same before vertices are evened out: how the surface hangs together, as a grid of these steps shows it.
+//! \throw UserError as polygonise_in_cell()
 TriangleMesh marched_in_cell(const ImplicitShape& shape, const Cell& cell, double edge);
 
 }  // namespace nanocarbon::shapes

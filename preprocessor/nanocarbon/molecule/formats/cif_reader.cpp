@@ -87,7 +87,7 @@ Operation operation_of(const Block& block, const std::string& text) {
 }
 
 // Whether each part of a Hall symbol with a screw axis says along which axis it is, as the first one need not. Where it
-// does not, gemmi::symops_from_hall() (0.5 to 0.6) writes beside an array.
+// does not, gemmi::symops_from_hall() (0.5.7) writes beside an array.
 bool screws_have_axes(std::string_view hall) {
   constexpr std::string_view blanks = " \t_";
   hall = hall.substr(0, hall.find('('));
